@@ -1,0 +1,415 @@
+#pragma once
+
+#include <cstdint>
+#include <tuple>
+#include <utility>
+#include <vector>
+
+#include "osculo/engine/broad_phase.hpp"
+#include "osculo/engine/event.hpp"
+#include "osculo/engine/queue.hpp"
+#include "osculo/engine/recorder.hpp"
+#include "osculo/engine/traits.hpp"
+#include "osculo/status.hpp"
+
+namespace osculo::engine {
+
+/// A ball as the engine keeps it. Its state is that at its own clock: a ball is touched only by the
+/// events it takes part in.
+template <class Type>
+struct Body {
+    using S = typename Type::Scalar;
+
+    typename Type::State state;
+    math::Instant<S> clock{S(0)};
+    S mass{1};                  ///< [kg]
+    S radius{1};                ///< [m]
+    S noise{0};                 ///< rounding noise of the velocity [m/s]: 0 until its first impact
+    std::uint32_t age = 0;      ///< number of its events so far
+    Kind last_kind = kNothing;  ///< what the last of them was,
+    std::uint32_t last_other = 0;  ///< and with what
+    bool present = true;           ///< false once captured
+};
+
+/// What a scene holds and how its impacts go, for the engine of that scene type.
+template <class Type>
+struct SceneData {
+    using S = typename Type::Scalar;
+
+    std::vector<Body<Type>> bodies;
+    typename Type::ObstacleStorage obstacles;
+    S ball_ball_restitution{1};
+    S ball_cushion_restitution{1};
+};
+
+/// What ends a run.
+template <math::Scalar S>
+struct RunLimits {
+    S time;  ///< [s]
+    std::uint64_t events;
+};
+
+/// Plays a scene event by event. See DESIGN 1: motion turns states into paths, detect finds the
+/// earliest contact of every path, the queue orders them, impact changes velocities.
+template <class Type>
+class Engine {
+public:
+    using S = typename Type::Scalar;
+    using Instant = math::Instant<S>;
+    using Vec = math::Vec<S>;
+    using Path = decltype(Type::Motion::template path<S>(std::declval<typename Type::State>()));
+    using BodyType = Body<Type>;
+
+    /// Predicts every ball's first event. Requires a valid scene: positive finite masses and radii,
+    /// finite states.
+    explicit Engine(SceneData<Type> scene)
+        : scene_(std::move(scene)), queue_(scene_.bodies.size()), broad_phase_(scene_.bodies) {
+        for (BallIndex i = 0; i < scene_.bodies.size(); ++i) predict(i);
+    }
+
+    /// Runs until nothing more can happen or a limit is reached. Afterwards every ball that is
+    /// still there has its clock at the same instant, time(). To be called once.
+    Status run(const RunLimits<S>& limits);
+
+    [[nodiscard]] const std::vector<BodyType>& bodies() const { return scene_.bodies; }
+    [[nodiscard]] const Instant& time() const { return now_; }
+    [[nodiscard]] std::uint64_t event_count() const { return event_count_; }
+    /// Predictions of one ball's next event so far: the work done.
+    [[nodiscard]] std::uint64_t prediction_count() const { return prediction_count_; }
+    [[nodiscard]] typename Type::Recorder& recorder() { return recorder_; }
+
+private:
+    using Scheduled = Event<S>;
+    using Recorder = typename Type::Recorder;
+
+    struct Contact {
+        Kind kind;
+        BallIndex first;
+        std::uint32_t second;
+    };
+
+    void predict(BallIndex i);
+    template <std::size_t K>
+    void predict_obstacles(BallIndex i, const Path& path, Scheduled& best) const;
+    void predict_ball(BallIndex i, const Path& path, BallIndex j, Scheduled& best) const;
+    /// Takes the event as the ball's next one if it comes before [best].
+    void offer(Kind kind, BallIndex i, std::uint32_t other, std::uint32_t other_age,
+               const Instant& start, const S& wait, Scheduled& best) const;
+    [[nodiscard]] static S horizon(const Instant& start, const Scheduled& best);
+
+    [[nodiscard]] bool is_void(const Scheduled& event) const;
+    [[nodiscard]] bool carry_out(const Scheduled& event);
+    [[nodiscard]] bool collide_balls(const Contact& contact);
+    template <std::size_t K>
+    [[nodiscard]] bool meet_obstacle(const Contact& contact);
+    /// Calls f with the compile-time number of the kind of obstacle.
+    template <class F>
+    [[nodiscard]] bool visit_kind(Kind kind, F&& f);
+
+    void advance(BallIndex i);
+    void note_impact(BodyType& body, const Vec& before, Kind kind, std::uint32_t other);
+    void end_piece(BallIndex i, const Instant& to);
+    [[nodiscard]] Moment<S> moment(BallIndex i) const {
+        return {scene_.bodies[i].state.position, scene_.bodies[i].state.velocity};
+    }
+    [[nodiscard]] bool gap_explained(const BodyType& one, const BodyType& other, const S& gap,
+                                     const S& travelled) const;
+    [[nodiscard]] bool all_at_rest() const;
+    Status finish(Status status, const Instant& end);
+
+    SceneData<Type> scene_;
+    EventQueue<S> queue_;
+    [[no_unique_address]] typename Type::BroadPhase broad_phase_;
+    [[no_unique_address]] Recorder recorder_;
+    Instant now_{S(0)};
+    std::uint64_t event_count_ = 0;
+    std::uint64_t prediction_count_ = 0;
+};
+
+template <class Type>
+Status Engine<Type>::run(const RunLimits<S>& limits) {
+    const Instant end{limits.time};
+    const std::uint64_t most_at_one_instant = 1000 + 100 * std::uint64_t(scene_.bodies.size());
+    std::uint64_t at_this_instant = 0;
+    for (;;) {
+        if (queue_.empty() || queue_.top().kind == kNothing) {
+            return all_at_rest() ? finish(Status::at_rest, now_) : finish(Status::time_limit, end);
+        }
+        const Scheduled event = queue_.top();
+        const BallIndex owner = queue_.top_ball();
+        if (event.when > end) {
+            return finish(Status::time_limit, end);
+        }
+        if constexpr (Type::BroadPhase::kCrossings) {
+            if (event.kind == kCellCrossing) {
+                broad_phase_.cross(owner,
+                                   Type::Motion::template path<S>(scene_.bodies[owner].state));
+                predict(owner);
+                continue;
+            }
+        }
+        if (is_void(event)) {
+            predict(owner);
+            continue;
+        }
+        if (event_count_ == limits.events) return finish(Status::event_limit, now_);
+        at_this_instant = event.when == now_ ? at_this_instant + 1 : 0;
+        if (at_this_instant > most_at_one_instant) return finish(Status::zeno, now_);
+        now_ = event.when;
+        if (!carry_out(event)) return finish(Status::numeric, now_);
+        ++event_count_;
+    }
+}
+
+template <class Type>
+void Engine<Type>::predict(BallIndex i) {
+    ++prediction_count_;
+    const BodyType& body = scene_.bodies[i];
+    Scheduled best;
+    if (body.present) {
+        const Path path = Type::Motion::template path<S>(body.state);
+        if constexpr (Type::BroadPhase::kCrossings) {
+            offer(kCellCrossing, i, 0, 0, body.clock, broad_phase_.next_crossing(i, path), best);
+        }
+        predict_obstacles<0>(i, path, best);
+        broad_phase_.for_each_candidate(i, [&](BallIndex j) { predict_ball(i, path, j, best); });
+    }
+    queue_.update(i, best);
+}
+
+template <class Type>
+template <std::size_t K>
+void Engine<Type>::predict_obstacles(BallIndex i, const Path& path, Scheduled& best) const {
+    if constexpr (K < Type::ObstacleList::kCount) {
+        const auto& obstacles = std::get<K>(scene_.obstacles);
+        using Obstacle = typename std::decay_t<decltype(obstacles)>::value_type;
+        static_assert(Detectable<S, Path, Obstacle>,
+                      "osculo: no detect::first_contact and contact_normal for a ball on this path "
+                      "and this kind of obstacle: write them, one pair in one file of detect/");
+        const BodyType& body = scene_.bodies[i];
+        const Kind kind = kFirstObstacle + static_cast<Kind>(K);
+        for (std::uint32_t k = 0; k < obstacles.size(); ++k) {
+            const bool resolved = body.last_kind == kind && body.last_other == k;
+            offer(kind, i, k, 0, body.clock,
+                  detect::first_contact(path, body.radius, obstacles[k],
+                                        math::ContactHistory<S>{resolved, body.noise},
+                                        horizon(body.clock, best)),
+                  best);
+        }
+        predict_obstacles<K + 1>(i, path, best);
+    }
+}
+
+template <class Type>
+void Engine<Type>::predict_ball(BallIndex i, const Path& path, BallIndex j, Scheduled& best) const {
+    const BodyType& one = scene_.bodies[i];
+    const BodyType& other = scene_.bodies[j];
+    if (!other.present) return;
+    // Both from the later of the two clocks, so that the result depends only on the two states and
+    // not on the instant or the ball that asks for it.
+    Path first = path;
+    Path second = Type::Motion::template path<S>(other.state);
+    Instant start = one.clock;
+    if (one.clock < other.clock) {
+        start = other.clock;
+        first.position =
+            math::displaced<S>(path.position, path.velocity, math::duration<S>(one.clock, start));
+    } else if (other.clock < one.clock) {
+        second.position = math::displaced<S>(second.position, second.velocity,
+                                             math::duration<S>(other.clock, start));
+    }
+    const bool resolved = one.last_kind == kBallBall && one.last_other == j &&
+                          other.last_kind == kBallBall && other.last_other == i;
+    const S wait = detect::first_contact(
+        first, second, S(one.radius + other.radius),
+        math::ContactHistory<S>{resolved, S(one.noise + other.noise)}, horizon(start, best));
+    offer(kBallBall, i, j, other.age, start, wait, best);
+}
+
+template <class Type>
+void Engine<Type>::offer(Kind kind, BallIndex i, std::uint32_t other, std::uint32_t other_age,
+                         const Instant& start, const S& wait, Scheduled& best) const {
+    if (!math::is_finite<S>(wait)) return;
+    Scheduled event{math::after<S>(start, wait), kind, i, other, scene_.bodies[i].age, other_age};
+    if (kind == kBallBall && other < i) {
+        std::swap(event.first, event.second);
+        std::swap(event.first_age, event.second_age);
+    }
+    if (event < best) best = event;
+}
+
+/// Waits beyond this cannot be the next event; a little more than the distance to the best one yet.
+template <class Type>
+typename Engine<Type>::S Engine<Type>::horizon(const Instant& start, const Scheduled& best) {
+    if (best.kind == kNothing) return math::never<S>();
+    return math::duration<S>(start, best.when) * (S(1) + S(8) * math::epsilon<S>());
+}
+
+template <class Type>
+bool Engine<Type>::is_void(const Scheduled& event) const {
+    return event.kind == kBallBall && (event.first_age != scene_.bodies[event.first].age ||
+                                       event.second_age != scene_.bodies[event.second].age);
+}
+
+template <class Type>
+template <class F>
+bool Engine<Type>::visit_kind(Kind kind, F&& f) {
+    bool result = true;
+    [&]<std::size_t... K>(std::index_sequence<K...>) {
+        (void)((kind == kFirstObstacle + K
+                    ? (result = f(std::integral_constant<std::size_t, K>{}), true)
+                    : false) ||
+               ...);
+    }
+    (std::make_index_sequence<Type::ObstacleList::kCount>{});
+    return result;
+}
+
+/// False if the event could not be resolved in this scalar type.
+template <class Type>
+bool Engine<Type>::carry_out(const Scheduled& event) {
+    std::array<Contact, 1> cluster{Contact{event.kind, event.first, event.second}};
+    bool sound = true;
+    Type::Simultaneous::resolve(cluster, [&](const Contact& contact) {
+        if (contact.kind == kBallBall) {
+            sound = collide_balls(contact) && sound;
+        } else {
+            sound = visit_kind(
+                        contact.kind,
+                        [&](auto kind) { return meet_obstacle<decltype(kind)::value>(contact); }) &&
+                    sound;
+        }
+    });
+    return sound;
+}
+
+template <class Type>
+bool Engine<Type>::collide_balls(const Contact& contact) {
+    const BallIndex i = contact.first;
+    const BallIndex j = contact.second;
+    BodyType& one = scene_.bodies[i];
+    BodyType& other = scene_.bodies[j];
+    const S travelled = math::norm1<S>(one.state.velocity) * math::duration<S>(one.clock, now_) +
+                        math::norm1<S>(other.state.velocity) * math::duration<S>(other.clock, now_);
+    advance(i);
+    advance(j);
+    const Vec normal = math::difference<S>(other.state.position, one.state.position);
+    const bool sound =
+        gap_explained(one, other, math::norm<S>(normal) - (one.radius + other.radius), travelled);
+
+    [[maybe_unused]] const Moment<S> before_one = moment(i);
+    [[maybe_unused]] const Moment<S> before_other = moment(j);
+    const Vec v1 = one.state.velocity;
+    const Vec v2 = other.state.velocity;
+    Type::Impact::template resolve<S>(scene_.ball_ball_restitution, one.mass, other.mass, normal,
+                                      one.state.velocity, other.state.velocity);
+    note_impact(one, v1, kBallBall, j);
+    note_impact(other, v2, kBallBall, i);
+    if constexpr (Recorder::kEvents) {
+        recorder_.events.push_back(
+            {now_, kBallBall, i, j, normal, {before_one, before_other}, {moment(i), moment(j)}});
+    }
+    predict(i);
+    predict(j);
+    return sound;
+}
+
+template <class Type>
+template <std::size_t K>
+bool Engine<Type>::meet_obstacle(const Contact& contact) {
+    const BallIndex i = contact.first;
+    BodyType& body = scene_.bodies[i];
+    advance(i);
+    const auto& obstacle = std::get<K>(scene_.obstacles)[contact.second];
+    using Obstacle = std::decay_t<decltype(obstacle)>;
+    const Vec normal = detect::contact_normal(body.state.position, obstacle);
+    const Vec before = body.state.velocity;
+    [[maybe_unused]] const Moment<S> moment_before = moment(i);
+    if constexpr (kEffect<Obstacle> == Effect::capture) {
+        body.present = false;
+        broad_phase_.remove(i);
+    } else {
+        Type::Impact::template resolve<S>(scene_.ball_cushion_restitution, normal,
+                                          body.state.velocity);
+    }
+    note_impact(body, before, contact.kind, contact.second);
+    if constexpr (Recorder::kEvents) {
+        recorder_.events.push_back({now_,
+                                    contact.kind,
+                                    i,
+                                    contact.second,
+                                    normal,
+                                    {moment_before, moment_before},
+                                    {moment(i), moment(i)}});
+    }
+    predict(i);
+    return math::is_finite<S>(math::norm1<S>(normal));
+}
+
+template <class Type>
+void Engine<Type>::advance(BallIndex i) {
+    BodyType& body = scene_.bodies[i];
+    end_piece(i, now_);
+    Type::Motion::template advance<S>(body.state, math::duration<S>(body.clock, now_));
+    body.clock = now_;
+}
+
+template <class Type>
+void Engine<Type>::note_impact(BodyType& body, const Vec& before, Kind kind, std::uint32_t other) {
+    body.noise = S(math::kVelocityNoise) * math::epsilon<S>() *
+                 (math::norm1<S>(before) + math::norm1<S>(body.state.velocity));
+    body.last_kind = kind;
+    body.last_other = other;
+    ++body.age;
+}
+
+template <class Type>
+void Engine<Type>::end_piece(BallIndex i, const Instant& to) {
+    if constexpr (Recorder::kPieces) {
+        const BodyType& body = scene_.bodies[i];
+        if (body.clock < to) {
+            recorder_.pieces.push_back(
+                {i, body.clock, to, body.state.position, body.state.velocity});
+        }
+    }
+}
+
+/// Whether rounding explains the gap at a contact; an overlap may also have been in the scene.
+template <class Type>
+bool Engine<Type>::gap_explained(const BodyType& one, const BodyType& other, const S& gap,
+                                 const S& travelled) const {
+    const S reach = one.radius + other.radius;
+    const S place = math::norm1<S>(one.state.position.rounded()) +
+                    (math::norm1<S>(one.state.velocity) + math::norm1<S>(other.state.velocity)) *
+                        math::narrow(now_);
+    const S bound = S(math::kContactGap) *
+                    (math::epsilon<S>() * (reach + travelled) + math::wide_epsilon<S>() * place);
+    return gap <= bound && gap >= -(bound + S(2 * math::kStartOverlap) * reach);
+}
+
+template <class Type>
+bool Engine<Type>::all_at_rest() const {
+    for (const BodyType& body : scene_.bodies) {
+        if (body.present && !Type::Motion::template at_rest<S>(body.state)) return false;
+    }
+    return true;
+}
+
+/// Brings every ball to the end of the run.
+template <class Type>
+Status Engine<Type>::finish(Status status, const Instant& end) {
+    now_ = end;
+    for (BallIndex i = 0; i < scene_.bodies.size(); ++i) {
+        BodyType& body = scene_.bodies[i];
+        if (!body.present) continue;
+        advance(i);
+        const Vec p = body.state.position.rounded();
+        if (!math::is_finite<S>(math::norm1<S>(p)) ||
+            !math::is_finite<S>(math::norm1<S>(body.state.velocity))) {
+            status = Status::numeric;
+        }
+    }
+    return status;
+}
+
+}  // namespace osculo::engine

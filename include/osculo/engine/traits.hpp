@@ -1,0 +1,59 @@
+#pragma once
+
+#include <concepts>
+#include <tuple>
+#include <vector>
+
+#include "osculo/detect/ball_arc.hpp"
+#include "osculo/detect/ball_ball.hpp"
+#include "osculo/detect/ball_point.hpp"
+#include "osculo/detect/ball_rim.hpp"
+#include "osculo/detect/ball_segment.hpp"
+#include "osculo/impact/restitution.hpp"
+#include "osculo/impact/simultaneous.hpp"
+
+namespace osculo::engine {
+
+/// What happens when a ball meets an obstacle of a kind. Specialise for kinds that take the ball.
+enum class Effect { impact, capture };
+template <class Obstacle>
+inline constexpr Effect kEffect = Effect::impact;
+template <math::Scalar S>
+inline constexpr Effect kEffect<geometry::Rim<S>> = Effect::capture;
+
+/// The kinds of obstacles of a scene type, each a template over the scalar, in the order in which
+/// they come at one instant.
+template <template <class> class... Kinds>
+struct Obstacles {
+    static constexpr std::size_t kCount = sizeof...(Kinds);
+    template <class S>
+    using Storage = std::tuple<std::vector<Kinds<S>>...>;
+};
+
+/// True if there is an overload of detect::first_contact for balls on paths of that kind.
+template <class S, class Path, class Obstacle>
+concept Detectable = requires(const Path& path, const S& s, const Obstacle& obstacle,
+                              const math::ContactHistory<S>& history,
+                              const math::WidePoint<S>& position) {
+    { detect::first_contact(path, s, obstacle, history, s) } -> std::convertible_to<S>;
+    { detect::contact_normal(position, obstacle) } -> std::convertible_to<math::Vec<S>>;
+};
+
+/// A scene type: everything about a scene that is known when the engine is compiled, the engine's
+/// only parameter. What is not listed leaves neither state nor code.
+template <math::Scalar S, class MotionLaw, class ObstacleKinds, class ImpactLaw,
+          class SimultaneousLaw, template <class> class RecorderKind,
+          template <class> class BroadPhaseKind>
+struct SceneType {
+    using Scalar = S;
+    using Motion = MotionLaw;
+    using State = typename MotionLaw::template State<S>;
+    using ObstacleList = ObstacleKinds;
+    using ObstacleStorage = typename ObstacleKinds::template Storage<S>;
+    using Impact = ImpactLaw;
+    using Simultaneous = SimultaneousLaw;
+    using Recorder = RecorderKind<S>;
+    using BroadPhase = BroadPhaseKind<S>;
+};
+
+}  // namespace osculo::engine

@@ -1,0 +1,45 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+
+#include "osculo/scene.hpp"
+
+namespace osculo::presets {
+
+/// What a preset can be asked for. A preset refuses (SceneError) what it does not use.
+struct Parameters {
+    std::optional<std::uint32_t> balls;   ///< number of balls
+    std::optional<double> packing;        ///< fraction of the area that disks cover, (0, 0.6]
+    std::optional<double> gap;            ///< between neighbouring balls [m], >= 0
+    std::optional<double> speed;          ///< of the ball or balls that start moving [m/s], > 0
+    std::optional<double> restitution;    ///< of every contact, in [0, 1]
+    std::optional<std::uint32_t> digits;  ///< digits of pi to count, 1 to 7
+    std::optional<std::uint64_t> seed;    ///< of everything drawn at random
+};
+
+struct Info {
+    std::string_view name;         ///< e.g. "break"
+    std::string_view description;  ///< one line
+    std::string_view parameters;   ///< the parameters it takes with their defaults, one line
+};
+
+/// Every preset scene.
+[[nodiscard]] std::span<const Info> list();
+
+/// The preset scene of that name. Throws SceneError (with the nearest name) if there is none, or if
+/// a parameter is out of range or not used. Same name and parameters: same bits everywhere.
+[[nodiscard]] Scene make(std::string_view name, const Parameters& parameters = {});
+
+/// Adds the cushions, jaws and rims of a table to the scene ("pool-7ft", "carom-10ft"), marked
+/// closed.
+void add_table(Scene& scene, std::string_view name);
+
+/// Adds a rack of balls, on the table that the scene already has ("eight-ball"), neighbours gap [m]
+/// apart.
+void add_rack(Scene& scene, std::string_view name, double gap);
+
+}  // namespace osculo::presets

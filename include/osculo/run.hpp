@@ -1,0 +1,146 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "osculo/scene.hpp"
+#include "osculo/status.hpp"
+
+namespace osculo {
+
+/// What an event is.
+enum class EventKind {
+    capture,       ///< a ball's centre crosses a rim with the capture law: it is gone
+    ball_ball,     ///< two balls
+    ball_segment,  ///< a ball and the straight part of a segment
+    ball_arc,      ///< a ball and the circular part of an arc
+    ball_point,    ///< a ball and an end point of a segment or arc
+};
+
+/// The kind as it is written in files: "capture", "ball_ball", ...
+[[nodiscard]] constexpr std::string_view to_string(EventKind kind) {
+    switch (kind) {
+        case EventKind::capture: return "capture";
+        case EventKind::ball_ball: return "ball_ball";
+        case EventKind::ball_segment: return "ball_segment";
+        case EventKind::ball_arc: return "ball_arc";
+        case EventKind::ball_point: return "ball_point";
+    }
+    return "ball_ball";
+}
+
+/// A ball's place and motion at one instant.
+struct BallState {
+    Point position;
+    Point velocity;
+    Spin spin{};
+    friend bool operator==(const BallState&, const BallState&) = default;
+};
+
+/// One event. Its instant is time + time_low, an unevaluated sum.
+struct Event {
+    double time = 0;      ///< [s]
+    double time_low = 0;  ///< [s], what rounding to double took from the instant
+    EventKind kind = EventKind::ball_ball;
+    std::uint32_t ball = 0;  ///< index into scene.balls
+    std::uint32_t other =
+        0;         ///< index into scene.balls, .segments, .arcs, .rims or run.points, by kind
+    Point point;   ///< where the boundaries touch (capture: the ball's centre) [m]
+    Point normal;  ///< unit, from `ball` towards `other`
+    std::array<BallState, 2> before;  ///< of `ball` and, for ball_ball, `other`
+    std::array<BallState, 2> after;
+    friend bool operator==(const Event&, const Event&) = default;
+};
+
+/// One analytic stretch of one ball's motion: at `from` <= t <= `to` its centre is at
+/// position + velocity (t - from). A position is the sum of its two parts, like an instant.
+struct Piece {
+    std::uint32_t ball = 0;  ///< index into scene.balls
+    double from = 0;         ///< [s]
+    double from_low = 0;
+    double to = 0;  ///< [s]
+    double to_low = 0;
+    Point position;  ///< at `from` [m]
+    Point position_low;
+    Point velocity;  ///< [m/s]
+    Spin spin{};
+    friend bool operator==(const Piece&, const Piece&) = default;
+};
+
+enum class BallFate { rest, moving, captured };
+
+[[nodiscard]] constexpr std::string_view to_string(BallFate fate) {
+    switch (fate) {
+        case BallFate::rest: return "rest";
+        case BallFate::moving: return "moving";
+        case BallFate::captured: return "captured";
+    }
+    return "moving";
+}
+
+/// A ball at the end of the run; a captured one as it was at its capture.
+struct FinalBall {
+    BallFate fate = BallFate::moving;
+    BallState state;
+    std::optional<std::uint32_t> rim;  ///< index into scene.rims, for a captured ball
+    friend bool operator==(const FinalBall&, const FinalBall&) = default;
+};
+
+/// An independent check of a run, from its pieces alone. Relative figures unless a unit is given.
+struct Audit {
+    double energy_initial = 0;  ///< [J]
+    double energy_final = 0;    ///< [J], captured balls included with their energy at capture
+    /// Largest gain of kinetic energy at one event, over the energy of its balls before (<= 0: none
+    /// gained).
+    double largest_energy_gain = 0;
+    /// Largest change of momentum at one ball_ball event, over the sum of its balls' |momentum|
+    /// before.
+    double largest_momentum_error = 0;
+    /// Smallest distance between the boundaries of any two things at any time, over the smaller
+    /// radius (ball-cushion: the ball's). Negative: they overlapped.
+    double worst_gap = 0;
+    double worst_gap_time = 0;               ///< [s]
+    std::vector<std::string> worst_gap_ids;  ///< the two things, empty if nothing can touch
+    /// Largest distance between a piece's end and the next one's start, over the ball's radius.
+    double largest_jump = 0;
+    /// Velocity changes that no event explains, and events that no pieces show.
+    std::uint64_t unexplained = 0;
+    /// Everything within the bounds that rounding explains (math/error_bounds.hpp).
+    bool clean = false;
+    friend bool operator==(const Audit&, const Audit&) = default;
+};
+
+/// Which ready-made engine ran the scene.
+struct EngineInfo {
+    std::string name;  ///< e.g. "uniform/segments+points/double/pieces/all-pairs"
+    std::vector<std::string>
+        left_out;  ///< features of osculo that this engine does not contain, with why
+    friend bool operator==(const EngineInfo&, const EngineInfo&) = default;
+};
+
+/// The result of simulating a scene.
+struct Run {
+    Scene scene;  ///< what was simulated
+    Status status = Status::at_rest;
+    double time = 0;                ///< simulated time at the end [s]
+    std::uint64_t event_count = 0;  ///< events, whether recorded or not
+    EngineInfo engine;
+    std::vector<std::string> points;  ///< names of the end points, e.g. "rail-3.from"
+    std::vector<Event> events;        ///< in order of time; empty unless recorded
+    std::vector<Piece> pieces;        ///< in order of their end; empty unless recorded
+    std::vector<FinalBall> balls;     ///< in the scene's order
+    std::optional<Audit> audit;       ///< if asked for
+
+    /// The ids of what takes part in the event: two of them.
+    [[nodiscard]] std::array<std::string, 2> ids(const Event& event) const;
+
+    /// The state of ball [index] at time t [s], from the pieces; nothing outside of what was
+    /// recorded or after the ball's capture. Error of the position: a few ulp of its coordinates.
+    [[nodiscard]] std::optional<BallState> at(std::uint32_t index, double t) const;
+};
+
+}  // namespace osculo

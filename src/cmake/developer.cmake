@@ -1,0 +1,11 @@
+# What only those who build osculo itself want: warnings and sanitizers, on targets that ask for them.
+function(osculo_developer_options target)
+  target_compile_options(${target} PRIVATE -Wall -Wextra -Wpedantic -Wconversion -Wshadow)
+  if(OSCULO_WARNINGS_AS_ERRORS)
+    target_compile_options(${target} PRIVATE -Werror)
+  endif()
+  if(OSCULO_SANITIZE)
+    target_compile_options(${target} PRIVATE -fsanitize=${OSCULO_SANITIZE} -fno-sanitize-recover=all -g)
+    target_link_options(${target} PRIVATE -fsanitize=${OSCULO_SANITIZE})
+  endif()
+endfunction()
