@@ -1,33 +1,50 @@
 #pragma once
 
+#include <stdexcept>
 #include <string>
 #include <string_view>
+#include <variant>
 
 #include "osculo/run.hpp"
 #include "osculo/scene.hpp"
 
 namespace osculo::io {
 
-/// Text that is not a valid osculo file. what() is one line; for broken JSON it has line and
-/// column.
+/// Input that is not a file of osculo at all. what() is one line; for broken JSON it has line and
+/// column, for broken MessagePack the byte.
 class FormatError : public std::runtime_error {
 public:
     using std::runtime_error::runtime_error;
 };
 
-/// A scene from JSON text (schema osculo/scene-1). `table` and `rack` are expanded.
-/// Throws FormatError if the text is not JSON, SceneError if it breaks a rule of the schema or
-/// scene.
-[[nodiscard]] Scene scene_from_json(std::string_view text);
+// Reading. All throw FormatError if the input is not JSON (MessagePack), and SceneError, with the
+// path, for what breaks a rule of the schema or of the scene. Unknown and repeated keys are errors.
 
-/// The scene as JSON (schema osculo/scene-1), fully expanded, shortest round-trip numbers.
+/// A scene (schema osculo/scene-1). `table` and `rack` are expanded; the scene is valid.
+[[nodiscard]] Scene scene_from_json(std::string_view text);
+[[nodiscard]] Scene scene_from_msgpack(std::string_view bytes);
+
+/// A run (schema osculo/run-1), as written by run_to_json.
+[[nodiscard]] Run run_from_json(std::string_view text);
+[[nodiscard]] Run run_from_msgpack(std::string_view bytes);
+
+/// A scene or a run, as the schema says.
+[[nodiscard]] std::variant<Scene, Run> scene_or_run_from_json(std::string_view text);
+[[nodiscard]] std::variant<Scene, Run> scene_or_run_from_msgpack(std::string_view bytes);
+
+// Writing. Numbers are the shortest decimals that read back as the same doubles; numbers that are
+// not finite, which only a run that ended `numeric` can have, are the texts "inf", "-inf", "nan".
+// The same scene or run always gives the same bytes.
+
+/// The scene as JSON (schema osculo/scene-1), fully expanded, one ball or cushion per line.
 [[nodiscard]] std::string scene_to_json(const Scene& scene);
 
-/// A run from JSON text (schema osculo/run-1), as written by run_to_json.
-[[nodiscard]] Run run_from_json(std::string_view text);
-
-/// The run as JSON (schema osculo/run-1), with the scene it is a run of.
+/// The run as JSON (schema osculo/run-1), one event or piece per line, with the scene it is a run
+/// of. Low parts and spins of zero are left out.
 [[nodiscard]] std::string run_to_json(const Run& run);
+
+/// The same document as MessagePack. Throws FormatError if the text is not JSON.
+[[nodiscard]] std::string msgpack_from_json(std::string_view text);
 
 struct SvgOptions {
     double width = 1200;  ///< [px]; the height follows from the scene

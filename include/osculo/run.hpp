@@ -104,7 +104,7 @@ struct Audit {
     /// radius (ball-cushion: the ball's). Negative: they overlapped.
     double worst_gap = 0;
     double worst_gap_time = 0;               ///< [s]
-    std::vector<std::string> worst_gap_ids;  ///< the two things, empty if nothing can touch
+    std::vector<std::string> worst_gap_ids;  ///< the two things, empty if no two can touch
     /// Largest distance between a piece's end and the next one's start, over the ball's radius.
     double largest_jump = 0;
     /// Velocity changes that no event explains, and events that no pieces show.

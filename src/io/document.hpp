@@ -28,9 +28,10 @@ struct Node {
 /// A JSON document as one array of nodes, in the order of the text: 16 bytes per value, where a
 /// tree of maps takes hundreds, and numbers that are read exactly.
 struct Document {
-    std::vector<Node> nodes;                 ///< nodes[0] is the whole
-    std::vector<const std::string*> texts;   ///< each different text once
+    std::vector<Node> nodes;                                       ///< nodes[0] is the whole
+    std::vector<const std::string*> texts;                         ///< each different text once
     std::unordered_map<std::string, std::uint32_t> index_of_text;  ///< owns the texts
+    bool is_run = false;  ///< the texts "inf", "-inf" and "nan" may stand for numbers
 };
 
 /// Both throw FormatError for input that is broken, has numbers beyond the range of double, or

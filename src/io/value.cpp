@@ -4,7 +4,7 @@
 #include <cassert>
 #include <charconv>
 #include <cmath>
-#include <vector>
+#include <limits>
 
 #include "presets/nearest_name.hpp"
 
@@ -18,14 +18,14 @@ std::string number_text(T value) {
     return {buffer.data(), result.ptr};
 }
 
-// For messages: in quotes, on one line, and not too long.
-std::string quoted(std::string_view text) {
+// For messages: on one line, and not too long.
+std::string shown(std::string_view text) {
     constexpr std::size_t kLongest = 60;
-    std::string result = "\"";
+    std::string result;
     for (const char c : text.substr(0, kLongest)) {
         result += static_cast<unsigned char>(c) < 0x20 ? '?' : c;
     }
-    return result + (text.size() > kLongest ? "...\"" : "\"");
+    return text.size() > kLongest ? result + "..." : result;
 }
 
 std::string listed(std::span<const std::string_view> names, const char* last_word) {
@@ -44,8 +44,19 @@ double Value::number() const {
         case NodeKind::natural: return static_cast<double>(node().natural());
         case NodeKind::integer: return static_cast<double>(node().integer());
         case NodeKind::real: return node().real();
+        case NodeKind::text: return number_not_finite();
         default: fail("must be a number");
     }
+}
+
+double Value::number_not_finite() const {
+    constexpr double kInfinity = std::numeric_limits<double>::infinity();
+    if (document_.is_run) {
+        if (text() == "inf") return kInfinity;
+        if (text() == "-inf") return -kInfinity;
+        if (text() == "nan") return std::numeric_limits<double>::quiet_NaN();
+    }
+    fail("must be a number");
 }
 
 std::uint64_t Value::natural() const {
@@ -76,6 +87,14 @@ std::size_t Value::size() const {
     return count;
 }
 
+std::optional<Value> Value::member(std::string_view name) const {
+    require(NodeKind::object, "must be an object");
+    for (std::size_t i = index_ + 1; i < node().end(); i = next(i)) {
+        if (*document_.texts[document_.nodes[i].key] == name) return Value(*this, i, 0);
+    }
+    return std::nullopt;
+}
+
 void Value::fail(const std::string& rule) const {
     fail(rule, described());
 }
@@ -90,7 +109,7 @@ std::string Value::path() const {
     std::string result = parent_->parent_ == nullptr ? "" : parent_->path();
     if (parent_->kind() == NodeKind::array) return result + '[' + std::to_string(position_) + ']';
     if (!result.empty()) result += '.';
-    return result + *document_.texts[node().key];
+    return result + shown(*document_.texts[node().key]);
 }
 
 std::size_t Value::next(std::size_t index) const {
@@ -109,7 +128,7 @@ std::string Value::described() const {
         case NodeKind::natural: return number_text(node().natural());
         case NodeKind::integer: return number_text(node().integer());
         case NodeKind::real: return number_text(node().real());
-        case NodeKind::text: return quoted(*document_.texts[node().text()]);
+        case NodeKind::text: return '"' + shown(*document_.texts[node().text()]) + '"';
         case NodeKind::array: return "an array of length " + std::to_string(size());
         case NodeKind::object: return "an object";
     }
@@ -162,13 +181,8 @@ std::size_t choice(const Value& value, std::span<const std::string_view> availab
         rule += " (" + listed(planned, " and ") + (planned.size() == 1 ? " is" : " are") +
                 " not available yet)";
     }
-    std::vector<std::string_view> names(available.begin(), available.end());
-    if (std::ranges::find(planned, name) == planned.end()) rule += did_you_mean(name, names);
+    if (std::ranges::find(planned, name) == planned.end()) rule += did_you_mean(name, available);
     value.fail(rule);
-}
-
-std::optional<Value> find_law(const Value& object) {
-    return object.member("law");
 }
 
 }  // namespace osculo::io

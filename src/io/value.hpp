@@ -58,6 +58,9 @@ public:
         return {x, y};
     }
 
+    /// The member of that name of an object, if there is one; says nothing about other members.
+    [[nodiscard]] std::optional<Value> member(std::string_view name) const;
+
     /// Throws SceneError: "path: rule, but it is value".
     [[noreturn]] void fail(const std::string& rule) const;
     [[noreturn]] void fail(const std::string& rule, const std::string& value) const;
@@ -74,6 +77,7 @@ private:
     [[nodiscard]] const Node& node() const { return document_.nodes[index_]; }
     [[nodiscard]] std::size_t next(std::size_t index) const;
     void require(NodeKind kind, const char* rule) const;
+    [[nodiscard]] double number_not_finite() const;
     [[nodiscard]] std::string described() const;
 
     const Document& document_;
@@ -107,10 +111,7 @@ private:
 
 /// The text must be one of `available`; gives its place there. Names that are only `planned` are
 /// told apart from unknown ones.
-[[nodiscard]] std::size_t choice(const Value& value, std::span<const std::string_view> available,
-                                 std::span<const std::string_view> planned = {});
-
-/// Member "law" of an object whose other members depend on it.
-[[nodiscard]] std::optional<Value> find_law(const Value& object);
+std::size_t choice(const Value& value, std::span<const std::string_view> available,
+                   std::span<const std::string_view> planned = {});
 
 }  // namespace osculo::io

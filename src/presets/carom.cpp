@@ -1,3 +1,5 @@
+#include <cmath>
+
 #include "presets/parameters.hpp"
 #include "presets/scenes.hpp"
 #include "presets/tables.hpp"
@@ -5,7 +7,7 @@
 namespace osculo::presets {
 
 // Balls near the opening position of carom: red on the foot spot, yellow on the head spot, white
-// beside it [UMB rules], white moving.
+// beside it [UMB rules], white moving so that it meets red, four cushions and yellow.
 Scene make_carom(const Parameters& parameters) {
     Scene scene;
     add_table(scene, "carom-10ft");
@@ -25,7 +27,7 @@ Scene make_carom(const Parameters& parameters) {
     };
     const double middle = kCarom10ft.width / 2;
     const double head = kCarom10ft.length / 4;
-    add("white", {middle + 0.18, head}, {-0.096 * speed, 0.9953813339 * speed});
+    add("white", {middle + 0.18, head}, {-0.092 * speed, std::sqrt(1 - 0.092 * 0.092) * speed});
     add("yellow", {middle, head}, {});
     add("red", {middle, 3 * head}, {});
     return scene;

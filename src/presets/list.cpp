@@ -2,8 +2,6 @@
 #include <array>
 #include <charconv>
 #include <cstddef>
-#include <utility>
-#include <vector>
 
 #include "presets/nearest_name.hpp"
 #include "presets/parameters.hpp"
@@ -30,32 +28,23 @@ using Maker = Scene (*)(const Parameters&);
 constexpr std::array<Maker, kInfos.size()> kMakers{make_box, make_carom, make_cradle,
                                                    make_pi,  make_break, make_gas};
 
-// The parameters that were given, as text.
-std::vector<std::pair<std::string_view, std::string>> given(const Parameters& parameters) {
-    std::vector<std::pair<std::string_view, std::string>> result;
-    const auto add = [&result](std::string_view name, const auto& parameter) {
-        if (parameter) result.emplace_back(name, number_text(static_cast<double>(*parameter)));
-    };
-    add("balls", parameters.balls);
-    add("packing", parameters.packing);
-    add("gap", parameters.gap);
-    add("speed", parameters.speed);
-    add("restitution", parameters.restitution);
-    add("digits", parameters.digits);
-    add("seed", parameters.seed);
-    return result;
-}
-
 void refuse_unused(const Info& info, const Parameters& parameters) {
-    for (const auto& [name, value] : given(parameters)) {
+    const auto check = [&info](std::string_view name, bool is_given) {
         // The description names each parameter followed by its default in brackets.
-        if (info.parameters.find(std::string(name) + " (") == std::string_view::npos) {
-            throw SceneError(std::string(name),
-                             "is not a parameter of the preset " + std::string(info.name) +
-                                 ", which takes " + std::string(info.parameters),
-                             value);
-        }
-    }
+        const std::string entry = std::string(name) + " (";
+        if (!is_given || info.parameters.find(entry) != std::string_view::npos) return;
+        throw SceneError(std::string(name),
+                         "is not a parameter of the preset " + std::string(info.name) +
+                             ", which takes " + std::string(info.parameters),
+                         "");
+    };
+    check("balls", parameters.balls.has_value());
+    check("packing", parameters.packing.has_value());
+    check("gap", parameters.gap.has_value());
+    check("speed", parameters.speed.has_value());
+    check("restitution", parameters.restitution.has_value());
+    check("digits", parameters.digits.has_value());
+    check("seed", parameters.seed.has_value());
 }
 
 }  // namespace

@@ -13,8 +13,8 @@ namespace osculo::presets {
 
 /// The parameter, or its default. Throws SceneError unless it is from `lowest` to `highest`.
 template <class T>
-[[nodiscard]] T in_range(std::string_view name, const std::optional<T>& parameter,
-                         T default_value, T lowest, T highest) {
+[[nodiscard]] T in_range(std::string_view name, const std::optional<T>& parameter, T default_value,
+                         T lowest, T highest) {
     const T value = parameter.value_or(default_value);
     if (value >= lowest && value <= highest) return value;
     const auto text = [](T bound) { return number_text(static_cast<double>(bound)); };

@@ -15,7 +15,6 @@ template <math::Scalar S>
 [[nodiscard]] S first_contact(const motion::LinearPath<S>& path, const S& radius,
                               const geometry::Segment<S>& segment,
                               const math::ContactHistory<S>& history, const S& horizon) {
-    if (history.just_resolved) return math::never<S>();
     S normal_speed = math::accurate_dot<S>(path.velocity, segment.normal);
     if (segment.one_sided ? !(normal_speed < S(0)) : normal_speed == S(0)) return math::never<S>();
 
@@ -32,10 +31,12 @@ template <math::Scalar S>
     if (gap > -normal_speed * horizon * (S(1) + math::epsilon<S>() * S(math::kRejectionSlack))) {
         return math::never<S>();
     }
-    if (-normal_speed <= history.noise && gap <= S(math::kTouch) * math::epsilon<S>() * radius) {
-        return math::never<S>();
-    }
-    const S t = gap > S(0) ? S(gap / -normal_speed) : S(0);
+    // Touching, an approach that is mere rounding counts when it has become noticeable.
+    const S noticeable = S(math::kTouch) * math::epsilon<S>() * radius;
+    const bool mere_rounding =
+        history.just_resolved || (-normal_speed <= history.noise && gap <= noticeable);
+    const S t = mere_rounding ? S(noticeable / -normal_speed)
+                              : (gap > S(0) ? S(gap / -normal_speed) : S(0));
     const S foot =
         math::dot<S>(c, segment.tangent) + math::dot<S>(path.velocity, segment.tangent) * t;
     return foot >= S(0) && foot <= segment.length ? t : math::never<S>();

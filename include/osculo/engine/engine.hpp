@@ -184,14 +184,14 @@ void Engine<Type>::predict_obstacles(BallIndex i, const Path& path, Scheduled& b
         const auto& obstacles = std::get<K>(scene_.obstacles);
         using Obstacle = typename std::decay_t<decltype(obstacles)>::value_type;
         static_assert(Detectable<S, Path, Obstacle>,
-                      "osculo: no detect::first_contact and contact_normal for a ball on this path "
+                      "osculo: no first_contact and contact_normal for a ball on this path "
                       "and this kind of obstacle: write them, one pair in one file of detect/");
         const BodyType& body = scene_.bodies[i];
         const Kind kind = kFirstObstacle + static_cast<Kind>(K);
         for (std::uint32_t k = 0; k < obstacles.size(); ++k) {
             const bool resolved = body.last_kind == kind && body.last_other == k;
             offer(kind, i, k, 0, body.clock,
-                  detect::first_contact(path, body.radius, obstacles[k],
+                  first_contact(path, body.radius, obstacles[k],
                                         math::ContactHistory<S>{resolved, body.noise},
                                         horizon(body.clock, best)),
                   best);
@@ -220,7 +220,7 @@ void Engine<Type>::predict_ball(BallIndex i, const Path& path, BallIndex j, Sche
     }
     const bool resolved = one.last_kind == kBallBall && one.last_other == j &&
                           other.last_kind == kBallBall && other.last_other == i;
-    const S wait = detect::first_contact(
+    const S wait = first_contact(
         first, second, S(one.radius + other.radius),
         math::ContactHistory<S>{resolved, S(one.noise + other.noise)}, horizon(start, best));
     offer(kBallBall, i, j, other.age, start, wait, best);
@@ -322,7 +322,7 @@ bool Engine<Type>::meet_obstacle(const Contact& contact) {
     advance(i);
     const auto& obstacle = std::get<K>(scene_.obstacles)[contact.second];
     using Obstacle = std::decay_t<decltype(obstacle)>;
-    const Vec normal = detect::contact_normal(body.state.position, obstacle);
+    const Vec normal = contact_normal(body.state.position, obstacle);
     const Vec before = body.state.velocity;
     [[maybe_unused]] const Moment<S> moment_before = moment(i);
     if constexpr (kEffect<Obstacle> == Effect::capture) {
@@ -349,15 +349,20 @@ bool Engine<Type>::meet_obstacle(const Contact& contact) {
 template <class Type>
 void Engine<Type>::advance(BallIndex i) {
     BodyType& body = scene_.bodies[i];
+    if (!(body.clock < now_)) return;
     end_piece(i, now_);
     Type::Motion::template advance<S>(body.state, math::duration<S>(body.clock, now_));
     body.clock = now_;
+    body.noise = S(0);
 }
 
 template <class Type>
 void Engine<Type>::note_impact(BodyType& body, const Vec& before, Kind kind, std::uint32_t other) {
-    body.noise = S(math::kVelocityNoise) * math::epsilon<S>() *
-                 (math::norm1<S>(before) + math::norm1<S>(body.state.velocity));
+    // Within one instant the largest noise stays: what is left of a speed after many impacts is no
+    // more certain than the speed it is left of.
+    body.noise = std::max<S>(body.noise, S(math::kVelocityNoise) * math::epsilon<S>() *
+                                             (math::norm1<S>(before) +
+                                              math::norm1<S>(body.state.velocity)));
     body.last_kind = kind;
     body.last_other = other;
     ++body.age;
@@ -367,10 +372,7 @@ template <class Type>
 void Engine<Type>::end_piece(BallIndex i, const Instant& to) {
     if constexpr (Recorder::kPieces) {
         const BodyType& body = scene_.bodies[i];
-        if (body.clock < to) {
-            recorder_.pieces.push_back(
-                {i, body.clock, to, body.state.position, body.state.velocity});
-        }
+        recorder_.pieces.push_back({i, body.clock, to, body.state.position, body.state.velocity});
     }
 }
 

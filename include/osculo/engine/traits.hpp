@@ -2,6 +2,7 @@
 
 #include <concepts>
 #include <tuple>
+#include <type_traits>
 #include <vector>
 
 #include "osculo/detect/ball_arc.hpp"
@@ -13,6 +14,11 @@
 #include "osculo/impact/simultaneous.hpp"
 
 namespace osculo::engine {
+
+// Contacts are looked up here and, by their arguments, where an obstacle or a path comes from: kinds
+// defined outside of osculo bring their overloads along.
+using detect::contact_normal;
+using detect::first_contact;
 
 /// What happens when a ball meets an obstacle of a kind. Specialise for kinds that take the ball.
 enum class Effect { impact, capture };
@@ -26,17 +32,19 @@ inline constexpr Effect kEffect<geometry::Rim<S>> = Effect::capture;
 template <template <class> class... Kinds>
 struct Obstacles {
     static constexpr std::size_t kCount = sizeof...(Kinds);
+    template <class S, class Obstacle>
+    static constexpr bool kContains = (std::is_same_v<Kinds<S>, Obstacle> || ...);
     template <class S>
     using Storage = std::tuple<std::vector<Kinds<S>>...>;
 };
 
-/// True if there is an overload of detect::first_contact for balls on paths of that kind.
+/// True if there is an overload of first_contact for balls on paths of that kind.
 template <class S, class Path, class Obstacle>
 concept Detectable = requires(const Path& path, const S& s, const Obstacle& obstacle,
                               const math::ContactHistory<S>& history,
                               const math::WidePoint<S>& position) {
-    { detect::first_contact(path, s, obstacle, history, s) } -> std::convertible_to<S>;
-    { detect::contact_normal(position, obstacle) } -> std::convertible_to<math::Vec<S>>;
+    { first_contact(path, s, obstacle, history, s) } -> std::convertible_to<S>;
+    { contact_normal(position, obstacle) } -> std::convertible_to<math::Vec<S>>;
 };
 
 /// A scene type: everything about a scene that is known when the engine is compiled, the engine's

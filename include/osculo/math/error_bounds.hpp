@@ -8,16 +8,22 @@
 namespace osculo::math {
 
 /// Slack of a rejection test, in units of epsilon times the sum of the absolute terms of the tested
-/// expression. A dot or cross product of rounded differences of wide coordinates errs by at most
-/// 3 epsilon of its terms (1/2 for each of two factors, product and sum); comparing its square with
-/// s^2 |b|^2 adds 2.
-inline constexpr int kRejectionSlack = 8;
+/// expression and again relative to what it is compared with. 3 suffice: a dot or cross product
+/// errs by 1 of its terms, Q by 1.5 of |c|^2 + s^2; -2 slope * horizon errs by 2.5 (1.5 for the
+/// slope), s^2 |b|^2 by 2.
+inline constexpr int kRejectionSlack = 4;
+
+/// A difference of wide numbers below this many epsilon of its terms is formed again without
+/// rounding, for the error of the difference would be above a tenth of epsilon: it is at most
+/// 4.75 epsilon^2 of the terms (s^2 |b|^2 against (b x c)^2; 3/4 for each sum that goes in, 5/4
+/// for each product), of which solving for the time leaves a quarter.
+inline constexpr int kExactStage = 64;
 
 /// Rounding noise of a velocity that an impact has just computed, in units of
-/// epsilon (|v before| + |v after|): impulse, product and sum err by 1/2 ulp each, the impulse's
-/// factors by 1 more; two components. A closing speed below the noise of the two velocities it is
-/// the difference of is no approach: without this, residual speeds of a perfectly inelastic chain
-/// would be exchanged for ever.
+/// epsilon (|v before| + |v after|), such that the noises of a pair cover the error of its closing
+/// speed: 5/2 of the speeds before (difference, quotients and products) and 1/2 of those after. A
+/// closing speed below the noise of the two velocities it is the difference of is no approach:
+/// without this, residual speeds of a perfectly inelastic chain would be exchanged for ever.
 inline constexpr int kVelocityNoise = 4;
 
 /// Gap below which two things count as touching when their closing speed is noise, in units of
@@ -26,11 +32,24 @@ inline constexpr int kVelocityNoise = 4;
 inline constexpr int kTouch = 8;
 
 /// Largest gap that rounding leaves at a predicted contact, in units of epsilon times
-/// (contact distance + distance travelled since the prediction's reference instant): half an ulp
-/// each of time, relative velocity and relative position; and in units of the wide epsilon times
-/// (coordinate + speed * instant), the resolution of where and when. More than that means that the
-/// scalar type cannot resolve the motion: status `numeric`.
-inline constexpr int kContactGap = 16;
+/// (contact distance + distance travelled since the prediction's reference instant): 1/2 each for
+/// the relative position, the relative velocity and the two durations, 1/2 for the time of the
+/// built-in types and up to 3 for that of the others, 2 for measuring it; and in units of the wide
+/// epsilon times (coordinate + speed * instant), the resolution of where and when. More than that
+/// means that the scalar type cannot resolve the motion: status `numeric`.
+inline constexpr int kContactGap = 8;
+
+/// What one impact may gain in energy, in units of epsilon times the energy of its balls, and lose
+/// in momentum, in units of epsilon times the sum of their |m v|. With u = epsilon / 2: the impulse
+/// errs by 9 u of the relative velocity, its two products by 2 u, the new velocities by 1 u. As an
+/// impulse is at most twice the reduced momentum, that makes 39 u of the energy and, in two
+/// components, 18 u of the momenta.
+inline constexpr int kImpactEnergy = 20;
+inline constexpr int kImpactMomentum = 9;
+
+/// How far the end of a ball's path may be from its next state, in units of epsilon times the
+/// path's length: the duration is rounded once.
+inline constexpr int kPieceJump = 1;
 
 /// Overlap that a scene may start with, over the smaller radius: data typed with eight digits.
 inline constexpr double kStartOverlap = 1e-7;

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "osculo/math/error_bounds.hpp"
+#include "osculo/math/exact_sum.hpp"
 #include "osculo/math/vec.hpp"
 
 /// When does a point in straight uniform motion cross a circle? The point is at c + b t, the circle
@@ -22,12 +23,63 @@ struct ContactHistory {
 
 namespace detail {
 
+/// True if a - b has lost so many digits in wide arithmetic that it has to be formed exactly.
+template <Builtin S>
+[[nodiscard]] bool cancelled(const DoubleDouble<S>& difference, const DoubleDouble<S>& subtrahend) {
+    return abs<S>(difference.hi) <= S(kExactStage) * epsilon<S>() * abs<S>(subtrahend.hi);
+}
+
+/// |c|^2 - s^2. For the built-in types the sign is exact and the error far below one ulp.
+template <Scalar S>
+[[nodiscard]] Wide<S> gap_function(const Vec<S>& c, const S& s) {
+    const Wide<S> ss = wide_product<S>(s, s);
+    const Wide<S> gap = wide_dot<S>(c, c) - ss;
+    if constexpr (Builtin<S>) {
+        if (cancelled(gap, ss)) {
+            ExactSum<S, 6> sum;
+            sum.add_product(c.x(), c.x());
+            sum.add_product(c.y(), c.y());
+            sum.add_product(-s, s);
+            return sum.value();
+        }
+    }
+    return gap;
+}
+
+/// s^2 b^2 - (b x c)^2, as precise: a quarter of the discriminant of the gap function, for
+/// b^2 c^2 - (b.c)^2 = (b x c)^2 (Lagrange).
+template <Scalar S>
+[[nodiscard]] Wide<S> discriminant(const Vec<S>& c, const Vec<S>& b, const S& s) {
+    const Wide<S> ss = wide_product<S>(s, s);
+    const Wide<S> moment = wide_cross<S>(b, c);
+    const Wide<S> most = ss * wide_dot<S>(b, b);
+    const Wide<S> result = most - moment * moment;
+    if constexpr (Builtin<S>) {
+        if (cancelled(result, most)) {
+            const DoubleDouble<S> xx = two_product(b.x(), b.x());
+            const DoubleDouble<S> yy = two_product(b.y(), b.y());
+            const DoubleDouble<S> xy = two_product(b.x(), c.y());
+            const DoubleDouble<S> yx = two_product(b.y(), c.x());
+            ExactSum<S, 48> sum;
+            for (const S p : {ss.lo, ss.hi}) {
+                for (const S q : {xx.lo, yy.lo, xx.hi, yy.hi}) sum.add_product(p, q);
+            }
+            const std::array<S, 4> terms{xy.lo, -yx.lo, xy.hi, -yx.hi};
+            for (const S p : terms) {
+                for (const S q : terms) sum.add_product(-p, q);
+            }
+            return sum.value();
+        }
+    }
+    return result;
+}
+
 /// Solves the problem scaled by powers of two such that squares of squares stay in range. Exact.
 template <Scalar S, class Solver>
 [[nodiscard]] S with_safe_exponents(const Vec<S>& c, const Vec<S>& b, const S& s,
                                     ContactHistory<S> history, const S& horizon, Solver solve) {
     if constexpr (ScalarTraits<S>::kNarrowExponent) {
-        const auto ordinary = [](S x) { return x > S(1e-60) && x < S(1e60); };
+        const auto ordinary = [](S x) { return x > S(1e-40) && x < S(1e40); };
         const S length = std::max(norm_max<S>(c), s);
         const S speed = norm_max<S>(b);
         if (!(ordinary(length) && ordinary(speed)) && speed > S(0)) {
@@ -51,35 +103,56 @@ template <Scalar S, class Solver>
     return solve(c, b, s, history, horizon);
 }
 
+/// When two things that touch, and approach only as rounding left it, have come nearer by a
+/// noticeable kTouch epsilon s; never() if they pass before. Then they meet again, and what
+/// approach is left has the rounding of the speeds they have by then: however fast they once were,
+/// they do not sink into each other. With [slope] = b.c < 0, [bb] = |b|^2, [ss] = s^2.
+template <Scalar S>
+[[nodiscard]] S noticed_approach(const S& slope, const S& bb, const S& ss) {
+    const S noticeable = S(2 * kTouch) * epsilon<S>() * ss;  // change of |c + b t|^2
+    const S disc = slope * slope - bb * noticeable;
+    return disc > S(0) ? S(noticeable / (square_root<S>(disc) - slope)) : never<S>();
+}
+
+/// Cheap rejections, on the safe side of rounding: the line of the path passes the circle by.
+template <Scalar S>
+[[nodiscard]] bool certainly_beside(const Vec<S>& c, const Vec<S>& b, const S& s, const S& slack) {
+    const S lateral = abs<S>(cross<S>(b, c)) - slack * (norm1<S>(b) * norm1<S>(c));
+    return lateral > S(0) && lateral * lateral > (s * s) * dot<S>(b, b) * (S(1) + slack);
+}
+
+/// The path to the contact is at least Q / (-2 slope) long in time, since sqrt(disc) <= -slope.
+template <Scalar S>
+[[nodiscard]] bool certainly_later(const Vec<S>& c, const S& s, const S& slope, const S& horizon,
+                                   const S& slack) {
+    const S cc = dot<S>(c, c);
+    const S ss = s * s;
+    return (cc - ss) - slack * (cc + ss) > -S(2) * slope * horizon * (S(1) + slack);
+}
+
 template <Scalar S>
 [[nodiscard]] S first_entry(const Vec<S>& c, const Vec<S>& b, const S& s,
                             const ContactHistory<S>& history, const S& horizon) {
     const S slope = accurate_dot<S>(b, c);
     if (!(slope < S(0))) return never<S>();  // not approaching now, so never
-
-    // Cheap rejections, on the safe side of rounding.
-    const S slack = S(kRejectionSlack) * epsilon<S>();
-    const S cc = dot<S>(c, c);
     const S bb = dot<S>(b, b);
     const S ss = s * s;
-    const S lateral = abs<S>(cross<S>(b, c)) - slack * (norm1<S>(b) * norm1<S>(c));
-    if (lateral > S(0) && lateral * lateral > ss * bb * (S(1) + slack)) return never<S>();
-    // The path to the contact is at least Q / (-2 slope) long in time, since sqrt(disc) <= -slope.
-    if ((cc - ss) - slack * (cc + ss) > -S(2) * slope * horizon * (S(1) + slack)) return never<S>();
+    if (history.just_resolved) return noticed_approach<S>(slope, bb, ss);
 
-    const Wide<S> wide_ss = wide_product<S>(s, s);
-    const Wide<S> gap = wide_dot<S>(c, c) - wide_ss;
-    if (history.noise > S(0) && narrow(gap) <= S(kTouch) * epsilon<S>() * ss &&
+    const S slack = S(kRejectionSlack) * epsilon<S>();
+    if (certainly_beside<S>(c, b, s, slack)) return never<S>();
+    if (certainly_later<S>(c, s, slope, horizon, slack)) return never<S>();
+
+    const Wide<S> gap = gap_function<S>(c, s);
+    if (history.noise > S(0) && narrow(gap) <= S(2 * kTouch) * epsilon<S>() * ss &&
         -slope <= history.noise * s) {
-        return never<S>();
+        return noticed_approach<S>(slope, bb, ss);
     }
     if (gap <= Wide<S>(S(0))) return S(0);
 
-    // b^2 c^2 - (b.c)^2 = (b x c)^2 (Lagrange) gives the discriminant without cancelling squares.
-    const Wide<S> moment = wide_cross<S>(b, c);
-    const Wide<S> discriminant = wide_ss * wide_dot<S>(b, b) - moment * moment;
-    if (!(discriminant > Wide<S>(S(0)))) return never<S>();  // a miss, or a touch without approach
-    return quotient(gap, Wide<S>(wide_square_root(discriminant) - wide_dot<S>(b, c)));
+    const Wide<S> disc = discriminant<S>(c, b, s);
+    if (!(disc > Wide<S>(S(0)))) return never<S>();  // a miss, or a touch without approach
+    return quotient(gap, Wide<S>(wide_square_root(disc) - wide_dot<S>(b, c)));
 }
 
 template <Scalar S>
@@ -91,13 +164,11 @@ template <Scalar S>
     if (history.just_resolved) {  // the gap function is t (2 slope + |b|^2 t)
         return slope < S(0) ? S(-S(2) * slope / bb) : S(0);
     }
-    const Wide<S> wide_ss = wide_product<S>(s, s);
-    const Wide<S> gap = wide_dot<S>(c, c) - wide_ss;
+    const Wide<S> gap = gap_function<S>(c, s);
     if (!(slope < S(0)) && gap >= Wide<S>(S(0))) return S(0);
-    const Wide<S> moment = wide_cross<S>(b, c);
-    const Wide<S> discriminant = wide_ss * wide_dot<S>(b, b) - moment * moment;
-    if (!(discriminant > Wide<S>(S(0)))) return never<S>();  // passes by without being inside
-    const Wide<S> root = wide_square_root(discriminant);
+    const Wide<S> disc = discriminant<S>(c, b, s);
+    if (!(disc > Wide<S>(S(0)))) return never<S>();  // passes by without being inside
+    const Wide<S> root = wide_square_root(disc);
     const Wide<S> wide_slope = wide_dot<S>(b, c);
     if (slope < S(0)) return quotient(Wide<S>(root - wide_slope), wide_dot<S>(b, b));
     return quotient(Wide<S>(-gap), Wide<S>(root + wide_slope));
@@ -114,8 +185,6 @@ template <Scalar S>
 template <Scalar S>
 [[nodiscard]] S first_entry(const Vec<S>& c, const Vec<S>& b, const S& s,
                             const ContactHistory<S>& history = {}, const S& horizon = never<S>()) {
-    // Straight apart: having just collided, the two do not meet again on this motion.
-    if (history.just_resolved) return never<S>();
     return detail::with_safe_exponents<S>(c, b, s, history, horizon, detail::first_entry<S>);
 }
 

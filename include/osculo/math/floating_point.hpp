@@ -44,6 +44,11 @@ concept Scalar = requires(S a, S b) {
     { a < b } -> std::convertible_to<bool>;
 };
 
+/// A type whose operations the processor rounds correctly, so that error-free transforms hold.
+/// Spelled out, since with GNU extensions std::floating_point includes __float128 as well.
+template <class S>
+concept Builtin = std::same_as<S, float> || std::same_as<S, double> || std::same_as<S, long double>;
+
 /// Distance from 1 to the next larger number.
 template <Scalar S>
 [[nodiscard]] S epsilon() {

@@ -9,9 +9,10 @@ namespace osculo::math {
 
 /// An unevaluated sum hi + lo with |lo| <= ulp(hi)/2: twice the digits of S.
 /// The operations are the classical error-free transforms of Dekker (Numer. Math. 18, 1971) and
-/// Knuth (TAOCP 2, 4.2.2); relative error of + - * below 4 * 2^(-2p) for p-bit S unless the result
-/// of an addition cancels. No operand may be infinite.
-template <std::floating_point S>
+/// Knuth (TAOCP 2, 4.2.2). For p-bit S the relative error of + and - is below 3.01 * 2^(-2p),
+/// even where the result cancels, and that of * below 5.01 * 2^(-2p) (M. Joldes, J.-M. Muller and
+/// V. Popescu, ACM Trans. Math. Softw. 44, 2017). No operand may be infinite.
+template <Builtin S>
 struct DoubleDouble {
     S hi = 0;
     S lo = 0;
@@ -35,7 +36,7 @@ struct DoubleDouble {
 };
 
 /// a + b exactly.
-template <std::floating_point S>
+template <Builtin S>
 [[nodiscard]] constexpr DoubleDouble<S> two_sum(S a, S b) {
     const S sum = a + b;
     const S b_part = sum - a;
@@ -43,14 +44,14 @@ template <std::floating_point S>
 }
 
 /// a + b exactly; requires |a| >= |b| or a = 0.
-template <std::floating_point S>
+template <Builtin S>
 [[nodiscard]] constexpr DoubleDouble<S> quick_two_sum(S a, S b) {
     const S sum = a + b;
     return {sum, b - (sum - a)};
 }
 
 /// a * b exactly, unless the low part underflows.
-template <std::floating_point S>
+template <Builtin S>
 [[nodiscard]] inline DoubleDouble<S> two_product(S a, S b) {
     const S product = a * b;
     if constexpr (std::is_same_v<S, long double>) {
@@ -69,7 +70,7 @@ template <std::floating_point S>
     }
 }
 
-template <std::floating_point S>
+template <Builtin S>
 [[nodiscard]] constexpr DoubleDouble<S> operator+(const DoubleDouble<S>& a,
                                                   const DoubleDouble<S>& b) {
     DoubleDouble<S> high = two_sum(a.hi, b.hi);
@@ -78,26 +79,26 @@ template <std::floating_point S>
     return quick_two_sum(high.hi, high.lo + low.lo);
 }
 
-template <std::floating_point S>
+template <Builtin S>
 [[nodiscard]] constexpr DoubleDouble<S> operator+(const DoubleDouble<S>& a,
                                                   const std::type_identity_t<S>& b) {
     const DoubleDouble<S> high = two_sum(a.hi, b);
     return quick_two_sum(high.hi, high.lo + a.lo);
 }
 
-template <std::floating_point S>
+template <Builtin S>
 [[nodiscard]] constexpr DoubleDouble<S> operator-(const DoubleDouble<S>& a,
                                                   const DoubleDouble<S>& b) {
     return a + (-b);
 }
 
-template <std::floating_point S>
+template <Builtin S>
 [[nodiscard]] constexpr DoubleDouble<S> operator-(const DoubleDouble<S>& a,
                                                   const std::type_identity_t<S>& b) {
     return a + (-b);
 }
 
-template <std::floating_point S>
+template <Builtin S>
 [[nodiscard]] inline DoubleDouble<S> operator*(const DoubleDouble<S>& a, const DoubleDouble<S>& b) {
     const DoubleDouble<S> product = two_product(a.hi, b.hi);
     return quick_two_sum(product.hi, product.lo + (a.hi * b.lo + a.lo * b.hi));
@@ -107,18 +108,17 @@ template <std::floating_point S>
 /// the built-in types; the wider types serve as their own, for they are there to be compared with.
 template <Scalar S>
 using Wide = typename std::conditional_t<
-    std::is_floating_point_v<S>,
-    std::type_identity<DoubleDouble<std::conditional_t<std::is_floating_point_v<S>, S, double>>>,
+    Builtin<S>, std::type_identity<DoubleDouble<std::conditional_t<Builtin<S>, S, double>>>,
     std::type_identity<S>>::type;
 
 /// Relative rounding of wide numbers.
 template <Scalar S>
 [[nodiscard]] S wide_epsilon() {
-    return std::is_floating_point_v<S> ? S(S(4) * epsilon<S>() * epsilon<S>()) : epsilon<S>();
+    return Builtin<S> ? S(S(4) * epsilon<S>() * epsilon<S>()) : epsilon<S>();
 }
 
 /// A wide number rounded to its scalar.
-template <std::floating_point S>
+template <Builtin S>
 [[nodiscard]] constexpr S narrow(const DoubleDouble<S>& x) {
     return x.hi;
 }
@@ -128,7 +128,7 @@ template <Scalar S>
 }
 
 /// What narrow() takes away.
-template <std::floating_point S>
+template <Builtin S>
 [[nodiscard]] constexpr S low_part(const DoubleDouble<S>& x) {
     return x.lo;
 }
@@ -137,10 +137,10 @@ template <Scalar S>
     return S(0);
 }
 
-/// a * b and a - b, exact for the built-in types and rounded for the others.
+/// a * b and a + b, exact for the built-in types and rounded for the others.
 template <Scalar S>
 [[nodiscard]] Wide<S> wide_product(const S& a, const S& b) {
-    if constexpr (std::is_floating_point_v<S>) {
+    if constexpr (Builtin<S>) {
         return two_product(a, b);
     } else {
         return a * b;
@@ -148,7 +148,7 @@ template <Scalar S>
 }
 template <Scalar S>
 [[nodiscard]] Wide<S> wide_sum(const S& a, const S& b) {
-    if constexpr (std::is_floating_point_v<S>) {
+    if constexpr (Builtin<S>) {
         return two_sum(a, b);
     } else {
         return a + b;
@@ -156,7 +156,7 @@ template <Scalar S>
 }
 
 /// a / b rounded to S, within 0.51 ulp for the built-in types. Requires b != 0.
-template <std::floating_point S>
+template <Builtin S>
 [[nodiscard]] inline S quotient(const DoubleDouble<S>& a, const DoubleDouble<S>& b) {
     const S first = a.hi / b.hi;
     const DoubleDouble<S> rest = a - b * DoubleDouble<S>(first);
@@ -168,7 +168,7 @@ template <Scalar S>
 }
 
 /// Square root in wide precision. Requires x >= 0.
-template <std::floating_point S>
+template <Builtin S>
 [[nodiscard]] inline DoubleDouble<S> wide_square_root(const DoubleDouble<S>& x) {
     if (!(x.hi > 0)) return S(0);
     const S root = std::sqrt(x.hi);

@@ -1,0 +1,57 @@
+#pragma once
+
+#include "osculo/engine/audit/gaps.hpp"
+#include "osculo/engine/audit/histories.hpp"
+#include "osculo/engine/audit/impacts.hpp"
+#include "osculo/engine/audit/result.hpp"
+
+namespace osculo::engine {
+
+/// An independent check of a run, from what a recorder of events and pieces recorded: [scene] is
+/// what was run, [bodies] and [end] are what Engine::bodies() and time() were afterwards.
+///
+/// It measures trajectories in closed form and follows every ball through its pieces and events,
+/// and shares no code with detection, queue and broad phase. Costs (pieces) x (balls) comparisons
+/// of boxes, and arithmetic only for what comes near.
+template <class Type>
+[[nodiscard]] RunAudit audit(const SceneData<Type>& scene, const typename Type::Recorder& record,
+                             const std::vector<Body<Type>>& bodies,
+                             const math::Instant<typename Type::Scalar>& end) {
+    using S = typename Type::Scalar;
+    static_assert(Type::Recorder::kEvents && Type::Recorder::kPieces,
+                  "osculo: an audit needs the record of events and pieces");
+    RunAudit result;
+    std::vector<S> longest(scene.bodies.size(), S(0));
+    for (const PieceRecord<S>& piece : record.pieces) {
+        longest[piece.ball] = std::max<S>(longest[piece.ball], path_length<S>(piece));
+    }
+
+    const detail::ImpactAudit<Type> impacts(scene, longest);
+    detail::HistoryAudit<Type> histories(scene, record.pieces);
+    if (!record.events.empty()) {
+        result.largest_energy_gain = -std::numeric_limits<double>::infinity();
+    }
+    for (const EventRecord<S>& event : record.events) {
+        impacts.check(event, result);
+        histories.follow(event, result);
+    }
+    if (std::isinf(result.largest_energy_gain) && result.largest_energy_gain < 0) {
+        result.largest_energy_gain = 0;  // events without motion
+    }
+    histories.finish(bodies, end, result);
+    detail::GapAudit<Type>(scene, longest, result).check(record.pieces);
+
+    const auto energy = [](const std::vector<Body<Type>>& of) {
+        S sum{0};
+        for (const Body<Type>& body : of) {
+            sum = sum + body.mass * math::dot<S>(body.state.velocity, body.state.velocity) / S(2);
+        }
+        return math::to_double<S>(sum);
+    };
+    result.energy_initial = energy(scene.bodies);
+    result.energy_final = energy(bodies);
+    result.clean = result.clean && result.unexplained == 0;
+    return result;
+}
+
+}  // namespace osculo::engine

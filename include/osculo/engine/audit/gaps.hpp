@@ -1,0 +1,147 @@
+#pragma once
+
+#include <algorithm>
+#include <numeric>
+
+#include "osculo/engine/audit/pieces.hpp"
+#include "osculo/engine/audit/result.hpp"
+#include "osculo/engine/audit/smallest_gap.hpp"
+
+namespace osculo::engine::detail {
+
+/// Measures the smallest gap of every ball with everything else, over every stretch of time.
+template <class Type>
+class GapAudit {
+public:
+    using S = typename Type::Scalar;
+    using Wide = math::Wide<S>;
+    using Piece = PieceRecord<S>;
+
+    GapAudit(const SceneData<Type>& scene, const std::vector<S>& longest, RunAudit& result)
+        : scene_(scene), longest_(longest), result_(result) {
+        measure_boxes(std::make_index_sequence<kKinds>{});
+    }
+
+    /// Takes the pieces in order of their beginnings: when one begins, those of the other balls
+    /// that are not over yet are known, so that every two meet once.
+    void check(const std::vector<Piece>& pieces) {
+        std::vector<std::size_t> order(pieces.size());
+        std::iota(order.begin(), order.end(), std::size_t(0));
+        std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
+            return pieces[a].from < pieces[b].from;
+        });
+        const std::size_t balls = scene_.bodies.size();
+        constexpr double kInfinity = std::numeric_limits<double>::infinity();
+        const Box nowhere{kInfinity, -kInfinity, kInfinity, -kInfinity};
+        std::vector<Box> boxes(balls, nowhere);
+        std::vector<const Piece*> current(balls, nullptr);
+
+        for (const std::size_t p : order) {
+            const Piece& piece = pieces[p];
+            const BallIndex i = piece.ball;
+            const Box box = box_of(piece);
+            current[i] = nullptr;
+            for (BallIndex j = 0; j < balls; ++j) {
+                if (boxes[j].apart(within_reach(box, i)) || current[j] == nullptr) continue;
+                check_pair(piece, *current[j]);
+            }
+            boxes[i] = box;
+            current[i] = &piece;
+            check_obstacles(piece, box, std::make_index_sequence<kKinds>{});
+        }
+    }
+
+private:
+    static constexpr std::size_t kKinds = Type::ObstacleList::kCount;
+
+    /// Around everything the ball covers during the piece.
+    Box box_of(const Piece& piece) const {
+        const double radius = math::to_double<S>(scene_.bodies[piece.ball].radius);
+        return box_around<S>(piece.position.rounded(),
+                             position_at<S>(piece, piece.to).rounded())
+            .grown(radius * (1 + 4 * math::epsilon<double>()));
+    }
+    /// With room for every gap smaller than the smallest one yet.
+    Box within_reach(const Box& box, BallIndex i) const {
+        return box.grown(std::max(0.0, result_.worst_gap) *
+                         math::to_double<S>(scene_.bodies[i].radius));
+    }
+
+    void check_pair(const Piece& a, const Piece& b) {
+        const math::Instant<S> start = std::max(a.from, b.from);
+        const math::Instant<S> end = std::min(a.to, b.to);
+        if (end < start) return;
+        const Body<Type>& one = scene_.bodies[a.ball];
+        const Body<Type>& other = scene_.bodies[b.ball];
+        const Wide reach = math::wide_sum<S>(one.radius, other.radius);
+        const RelativePath<S> path{
+            seen_from(position_at<S>(a, start), position_at<S>(b, start)),
+            {math::wide_sum<S>(a.velocity.x(), S(-b.velocity.x())),
+             math::wide_sum<S>(a.velocity.y(), S(-b.velocity.y()))},
+            end - start};
+        const GapAt<S> gap = smallest_distance_beyond<S>(path, reach);
+        const auto initial = [&] {
+            return length_beyond<S>(seen_from(one.state.position, other.state.position), reach);
+        };
+        note(gap, std::min<S>(one.radius, other.radius), math::narrow(reach),
+             S(longest_[a.ball] + longest_[b.ball]), a, start, {kBallBall, b.ball}, initial);
+    }
+
+    template <std::size_t... K>
+    void measure_boxes(std::index_sequence<K...>) {
+        const auto measure = [](const auto& obstacles, std::vector<Box>& boxes) {
+            for (const auto& obstacle : obstacles) boxes.push_back(box_around(obstacle));
+        };
+        (measure(std::get<K>(scene_.obstacles), obstacle_boxes_[K]), ...);
+    }
+
+    template <std::size_t... K>
+    void check_obstacles(const Piece& piece, const Box& box, std::index_sequence<K...>) {
+        (check_obstacles_of_kind<K>(piece, box), ...);
+    }
+
+    template <std::size_t K>
+    void check_obstacles_of_kind(const Piece& piece, const Box& box) {
+        const Body<Type>& body = scene_.bodies[piece.ball];
+        const auto& obstacles = std::get<K>(scene_.obstacles);
+        for (std::uint32_t k = 0; k < obstacles.size(); ++k) {
+            if (obstacle_boxes_[K][k].apart(within_reach(box, piece.ball))) continue;
+            const auto& obstacle = obstacles[k];
+            const RelativePath<S> path{seen_from(piece.position, origin(obstacle)),
+                                       math::WidePoint<S>(piece.velocity), piece.to - piece.from};
+            const GapAt<S> gap = smallest_gap(path, body.radius, obstacle);
+            const auto initial = [&] {
+                return contact_gap(seen_from(body.state.position, origin(obstacle)), body.radius,
+                                   obstacle);
+            };
+            note(gap, body.radius, body.radius, longest_[piece.ball], piece, piece.from,
+                 {kFirstObstacle + static_cast<Kind>(K), k}, initial);
+        }
+    }
+
+    /// [initial] gives the gap of the two at the start of the run: a scene may start with a small
+    /// overlap, which is theirs until they are apart.
+    template <class InitialGap>
+    void note(const GapAt<S>& found, const S& smaller_radius, const S& reach, const S& longest,
+              const Piece& piece, const math::Instant<S>& start, Thing other, InitialGap initial) {
+        const double share = math::to_double<S>(found.gap / smaller_radius);
+        if (!(share >= result_.worst_gap)) {
+            result_.worst_gap = share;
+            result_.worst_gap_time = math::to_double<S>(math::narrow(Wide(start + found.t)));
+            result_.worst_first = {kBallBall, piece.ball};
+            result_.worst_second = other;
+        }
+        if (found.gap >= S(0)) return;
+        const S allowed = std::clamp<S>(-initial(), S(0), S(math::kStartOverlap) * smaller_radius);
+        const S bound = allowed + gap_bound<S>(reach, longest) +
+                        resolution<S>(piece.position, piece.velocity, piece.to);
+        result_.clean = result_.clean && found.gap >= -bound;
+    }
+
+    const SceneData<Type>& scene_;
+    const std::vector<S>& longest_;
+    RunAudit& result_;
+    std::array<std::vector<Box>, kKinds> obstacle_boxes_;
+};
+
+}  // namespace osculo::engine::detail

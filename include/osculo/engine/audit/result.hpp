@@ -1,0 +1,50 @@
+#pragma once
+
+#include <cstdint>
+#include <limits>
+
+#include "osculo/engine/event.hpp"
+
+namespace osculo::engine {
+
+/// A ball (kind = kBallBall) or an obstacle of a kind.
+struct Thing {
+    Kind kind = kNothing;
+    std::uint32_t index = 0;
+    friend bool operator==(const Thing&, const Thing&) = default;
+};
+
+/// What the audit of a run found.
+struct RunAudit {
+    double energy_initial = 0;  ///< [J]
+    double energy_final = 0;    ///< [J], captured balls with their energy at capture
+    /// Largest gain of kinetic energy at one event, over the energy of its balls before (negative:
+    /// every event lost some); 0 without events.
+    double largest_energy_gain = 0;
+    /// Largest change of momentum at one event of two balls, over the sum of |m v| before.
+    double largest_momentum_error = 0;
+    /// Smallest distance between the boundaries of two things, over the smaller radius, when it
+    /// was reached [s] and by what. Infinite, and nothing named, if no two things can touch.
+    double worst_gap = std::numeric_limits<double>::infinity();
+    double worst_gap_time = 0;
+    Thing worst_first, worst_second;
+    /// Largest distance between the boundaries at an event, over the smaller radius: a contact of
+    /// things that do not touch. Overlaps are worst_gap's.
+    double largest_contact_error = 0;
+    /// Largest distance between where a piece ends and the next state of its ball, over the radius.
+    double largest_jump = 0;
+    /// Faults of the record: velocity changes without an event, events without pieces around them,
+    /// stretches of time with no piece or with two, events out of order or of captured balls,
+    /// contacts that were not closing or still are, final states that are not the last ones.
+    std::uint64_t unexplained = 0;
+    /// No fault, and every figure within what rounding explains (math/error_bounds.hpp).
+    bool clean = true;
+
+    /// Takes a figure of which the largest counts. NaN counts as the largest.
+    void note(double& figure, double value, bool explained) {
+        if (!(value <= figure)) figure = value;
+        clean = clean && explained;
+    }
+};
+
+}  // namespace osculo::engine

@@ -1,0 +1,150 @@
+#include "cli/summary.hpp"
+
+#include <algorithm>
+#include <array>
+#include <iterator>
+#include <map>
+
+#include <fmt/format.h>
+
+namespace osculo::cli {
+namespace {
+
+std::string counted(std::uint64_t count, std::string_view noun) {
+    return fmt::format("{} {}{}", count, noun, count == 1 ? "" : "s");
+}
+
+std::string_view words(Status status) {
+    switch (status) {
+        case Status::at_rest: return "everything at rest";
+        case Status::time_limit: return "time limit reached";
+        case Status::event_limit: return "event limit reached";
+        case Status::zeno: return "impacts accumulate without time advancing";
+        case Status::numeric: return "a quantity left the range of its numbers";
+    }
+    return "";
+}
+
+double energy(double mass, Point velocity) {
+    return mass / 2 * (velocity.x * velocity.x + velocity.y * velocity.y);
+}
+
+class Report {
+public:
+    void line(std::string_view label, std::string_view text) {
+        fmt::format_to(std::back_inserter(text_), "  {:<10}{}\n", label, text);
+    }
+    void title(std::string_view text) { fmt::format_to(std::back_inserter(text_), "{}\n", text); }
+    [[nodiscard]] std::string take() { return std::move(text_); }
+
+private:
+    std::string text_;
+};
+
+void report_energy(Report& report, const Run& run) {
+    double initial = 0;
+    double moving = 0;
+    double captured = 0;
+    for (std::size_t i = 0; i < run.balls.size(); ++i) {
+        const Ball& ball = run.scene.balls[i];
+        initial += energy(ball.mass, ball.velocity);
+        const bool is_captured = run.balls[i].fate == BallFate::captured;
+        (is_captured ? captured : moving) += energy(ball.mass, run.balls[i].state.velocity);
+    }
+    std::string text =
+        fmt::format("{:.9g} J at the start, {:.9g} J at the end", initial, moving + captured);
+    if (captured > 0) text += fmt::format(" ({:.9g} J of it captured)", captured);
+    report.line("energy", text);
+}
+
+void report_balls(Report& report, const Run& run) {
+    const auto count = [&run](BallFate fate) {
+        return std::ranges::count(run.balls, fate, &FinalBall::fate);
+    };
+    report.line("balls", fmt::format("{} moving, {} at rest, {} captured", count(BallFate::moving),
+                                     count(BallFate::rest), count(BallFate::captured)));
+}
+
+void report_events(Report& report, const Run& run) {
+    if (run.events.empty()) {
+        report.line("events", run.event_count == 0 ? "none" : "not recorded");
+        return;
+    }
+    std::map<EventKind, std::uint64_t> counts;
+    for (const Event& event : run.events) ++counts[event.kind];
+    std::string text;
+    for (const auto& [kind, count] : counts) {
+        text += fmt::format("{}{} {}", text.empty() ? "" : ", ", count, to_string(kind));
+    }
+    report.line("events", text);
+}
+
+// In order of time if that is known.
+void report_captures(Report& report, const Run& run) {
+    constexpr std::size_t kMost = 40;
+    std::vector<std::string> lines;
+    for (const Event& event : run.events) {
+        if (event.kind != EventKind::capture) continue;
+        const auto [ball, rim] = run.ids(event);
+        lines.push_back(fmt::format("{:<6}{:>12.6f} s  {}", ball, event.time, rim));
+    }
+    if (run.events.empty()) {
+        for (std::size_t i = 0; i < run.balls.size(); ++i) {
+            if (!run.balls[i].rim) continue;
+            lines.push_back(fmt::format("{:<6}{}", run.scene.balls[i].id,
+                                        run.scene.rims[*run.balls[i].rim].id));
+        }
+    }
+    for (std::size_t i = 0; i < std::min(lines.size(), kMost); ++i) {
+        report.line(i == 0 ? "captured" : "", lines[i]);
+    }
+    if (lines.size() > kMost) report.line("", fmt::format("and {} more", lines.size() - kMost));
+}
+
+void report_audit(Report& report, const Audit& audit) {
+    report.line("audit", audit.clean ? "clean" : "NOT CLEAN");
+    std::string gap = fmt::format("{:.3g} radii", audit.worst_gap);
+    if (audit.worst_gap_ids.size() == 2) {
+        gap += fmt::format(", between {} and {} at {:.9g} s", audit.worst_gap_ids[0],
+                           audit.worst_gap_ids[1], audit.worst_gap_time);
+    }
+    report.line("", "worst gap " + gap);
+    report.line("", fmt::format("largest energy gain {:.3g}, momentum error {:.3g}, jump {:.3g}",
+                                audit.largest_energy_gain, audit.largest_momentum_error,
+                                audit.largest_jump));
+    if (audit.unexplained > 0) {
+        report.line("", counted(audit.unexplained, "velocity change") + " without explanation");
+    }
+}
+
+}  // namespace
+
+std::string summary(const Run& run, const std::string& name, double seconds) {
+    Report report;
+    report.title(fmt::format("{}: {} at {:.9g} s, after {}", name, words(run.status), run.time,
+                             counted(run.event_count, "event")));
+    report.line("status", to_string(run.status));
+    report_events(report, run);
+    report_balls(report, run);
+    report_captures(report, run);
+    report_energy(report, run);
+    if (run.audit) report_audit(report, *run.audit);
+    report.line("engine", run.engine.name);
+    report.line("took",
+                fmt::format("{:.3g} s, {:.3g} events/s", seconds,
+                            static_cast<double>(run.event_count) / std::max(seconds, 1e-9)));
+    return report.take();
+}
+
+std::string contents(const Scene& scene) {
+    std::string text = counted(scene.balls.size(), "ball");
+    const std::array others{std::pair{scene.segments.size(), "segment"},
+                            std::pair{scene.arcs.size(), "arc"},
+                            std::pair{scene.rims.size(), "rim"}};
+    for (const auto& [count, noun] : others) {
+        if (count > 0) text += ", " + counted(count, noun);
+    }
+    return text;
+}
+
+}  // namespace osculo::cli

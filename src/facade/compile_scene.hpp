@@ -1,0 +1,151 @@
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <numbers>
+#include <numeric>
+#include <string>
+#include <type_traits>
+#include <vector>
+
+#include <boost/multiprecision/cpp_bin_float.hpp>
+
+#include "osculo/engine/engine.hpp"
+#include "osculo/scene.hpp"
+
+namespace osculo::facade {
+
+/// A scene in the terms of an engine. The engine numbers balls and obstacles in the order of their
+/// ids, so that ties between events do not depend on the order in which a file lists them.
+template <class Type>
+struct CompiledScene {
+    engine::SceneData<Type> data;
+    std::vector<std::uint32_t> balls;  ///< engine's number -> index in the scene
+    std::vector<std::uint32_t> segments;
+    std::vector<std::uint32_t> arcs;
+    std::vector<std::uint32_t> rims;
+    std::vector<std::string> points;  ///< names of the end points, by the engine's number
+};
+
+/// The indices of things, sorted by id.
+template <class Thing>
+[[nodiscard]] std::vector<std::uint32_t> order_by_id(const std::vector<Thing>& things) {
+    std::vector<std::uint32_t> order(things.size());
+    std::iota(order.begin(), order.end(), 0U);
+    std::sort(order.begin(), order.end(),
+              [&](std::uint32_t a, std::uint32_t b) { return things[a].id < things[b].id; });
+    return order;
+}
+
+/// (cos angle, sin angle) in S, of the exact value of the double.
+template <math::Scalar S>
+[[nodiscard]] math::Vec<S> direction(double angle) {
+    if constexpr (std::is_same_v<S, math::Quad>) {
+        // No elementary functions for this type: take 50 digits, in three doubles.
+        using Wider = boost::multiprecision::cpp_bin_float_50;
+        const auto to_quad = [](Wider x) {
+            math::Quad sum = 0;
+            for (int i = 0; i < 3; ++i) {
+                const double part = static_cast<double>(x);
+                sum += part;
+                x -= part;
+            }
+            return sum;
+        };
+        return {to_quad(cos(Wider(angle))), to_quad(sin(Wider(angle)))};
+    } else {
+        using std::cos;
+        using std::sin;
+        return {S(cos(S(angle))), S(sin(S(angle)))};
+    }
+}
+
+template <math::Scalar S>
+[[nodiscard]] math::Vec<S> vec(const Point& p) {
+    return {S(p.x), S(p.y)};
+}
+
+template <math::Scalar S>
+[[nodiscard]] geometry::Arc<S> compile_arc(const Arc& arc) {
+    geometry::Arc<S> result;
+    result.center = vec<S>(arc.center);
+    result.radius = S(arc.radius);
+    result.start = direction<S>(arc.from_angle);
+    result.end = direction<S>(arc.to_angle);
+    const double sweep = arc.to_angle - arc.from_angle;
+    result.full = sweep >= 2 * std::numbers::pi * (1 - 4 * 0x1p-52);
+    result.reflex =
+        sweep > 3.5 || (sweep > 3 && math::accurate_cross<S>(result.start, result.end) < S(0));
+    return result;
+}
+
+/// Gathers end points; one that several things share is one obstacle.
+template <math::Scalar S>
+class PointCollector {
+public:
+    void add(const math::Vec<S>& at, std::string name) {
+        const auto same = [&](const geometry::Point<S>& p) { return p.at == at; };
+        if (std::any_of(points_.begin(), points_.end(), same)) return;
+        points_.push_back({at});
+        names_.push_back(std::move(name));
+    }
+    std::vector<geometry::Point<S>> points_;
+    std::vector<std::string> names_;
+};
+
+template <class Type>
+[[nodiscard]] CompiledScene<Type> compile_scene(const Scene& scene) {
+    using S = typename Type::Scalar;
+    CompiledScene<Type> result;
+    result.balls = order_by_id(scene.balls);
+    for (const std::uint32_t i : result.balls) {
+        const Ball& ball = scene.balls[i];
+        engine::Body<Type> body;
+        body.state.position = math::WidePoint<S>(vec<S>(ball.position));
+        body.state.velocity = vec<S>(ball.velocity);
+        body.mass = S(ball.mass);
+        body.radius = S(ball.radius);
+        result.data.bodies.push_back(body);
+    }
+    result.data.ball_ball_restitution = S(scene.impacts.ball_ball.restitution);
+    result.data.ball_cushion_restitution = S(scene.impacts.ball_cushion.restitution);
+
+    using List = typename Type::ObstacleList;
+    constexpr bool kWalls = List::template kContains<S, geometry::Segment<S>>;
+    constexpr bool kTable = List::template kContains<S, geometry::Arc<S>>;
+    PointCollector<S> points;
+    if constexpr (kWalls) {
+        result.segments = order_by_id(scene.segments);
+        auto& segments = std::get<std::vector<geometry::Segment<S>>>(result.data.obstacles);
+        for (const std::uint32_t k : result.segments) {
+            const Segment& s = scene.segments[k];
+            segments.emplace_back(vec<S>(s.from), vec<S>(s.to), s.side == Side::left);
+            points.add(vec<S>(s.from), s.id + ".from");
+            points.add(vec<S>(s.to), s.id + ".to");
+        }
+    }
+    if constexpr (kTable) {
+        result.arcs = order_by_id(scene.arcs);
+        auto& arcs = std::get<std::vector<geometry::Arc<S>>>(result.data.obstacles);
+        for (const std::uint32_t k : result.arcs) {
+            arcs.push_back(compile_arc<S>(scene.arcs[k]));
+            if (arcs.back().full) continue;
+            points.add(arcs.back().start_point(), scene.arcs[k].id + ".from");
+            points.add(arcs.back().end_point(), scene.arcs[k].id + ".to");
+        }
+        result.rims = order_by_id(scene.rims);
+        auto& rims = std::get<std::vector<geometry::Rim<S>>>(result.data.obstacles);
+        for (const std::uint32_t k : result.rims) {
+            rims.push_back({vec<S>(scene.rims[k].center), S(scene.rims[k].radius)});
+        }
+    }
+    if constexpr (kWalls) {
+        std::get<std::vector<geometry::Point<S>>>(result.data.obstacles) =
+            std::move(points.points_);
+        result.points = std::move(points.names_);
+    }
+    return result;
+}
+
+}  // namespace osculo::facade

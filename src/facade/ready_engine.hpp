@@ -1,0 +1,34 @@
+#pragma once
+
+#include <span>
+#include <string>
+
+#include "osculo/simulate.hpp"
+
+namespace osculo::facade {
+
+/// One of the engines that the library contains, and what it covers.
+struct ReadyEngine {
+    Precision precision;
+    bool segments;  ///< and end points
+    bool arcs_and_rims;
+    Record record;
+    bool cell_grid;  ///< for many balls; gives the same results as all pairs
+    std::string (*name)();
+    /// Runs a valid scene. With `audit`, requires record == pieces.
+    Run (*run)(const Scene& scene, bool audit);
+};
+
+/// The engines of one translation unit each, narrowest first.
+[[nodiscard]] std::span<const ReadyEngine> double_open_engines();
+[[nodiscard]] std::span<const ReadyEngine> double_walls_engines();
+[[nodiscard]] std::span<const ReadyEngine> double_table_engines();
+[[nodiscard]] std::span<const ReadyEngine> extended_engines();
+[[nodiscard]] std::span<const ReadyEngine> quad_engines();
+[[nodiscard]] std::span<const ReadyEngine> digits50_engines();
+[[nodiscard]] std::span<const ReadyEngine> digits100_engines();
+
+/// The narrowest engine that covers the scene.
+[[nodiscard]] const ReadyEngine& narrowest_engine(const Scene& scene, const Options& options);
+
+}  // namespace osculo::facade

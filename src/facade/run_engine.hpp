@@ -1,0 +1,117 @@
+#pragma once
+
+#include <string>
+#include <utility>
+
+#include "compile_scene.hpp"
+#include "convert.hpp"
+#include "osculo/engine/scenes.hpp"
+#include "ready_engine.hpp"
+#include "text.hpp"
+
+namespace osculo::facade {
+
+/// Runs a valid scene with the engine of that scene type.
+template <class Type>
+[[nodiscard]] Run run_engine(const Scene& scene, bool audit) {
+    using S = typename Type::Scalar;
+    CompiledScene<Type> compiled = compile_scene<Type>(scene);
+    engine::SceneData<Type> start;
+    if (audit) start = compiled.data;
+    engine::Engine<Type> engine(std::move(compiled.data));
+
+    Run run;
+    run.status = engine.run({S(scene.limits.time), scene.limits.events});
+    run.time = math::to_double<S>(math::narrow(engine.time()));
+    run.event_count = engine.event_count();
+    const Converter<Type> convert{scene, compiled};
+    run.balls = convert.balls(engine.bodies());
+    if constexpr (Type::Recorder::kEvents) {
+        run.events.reserve(engine.recorder().events.size());
+        for (const auto& event : engine.recorder().events)
+            run.events.push_back(convert.event(event));
+    }
+    if constexpr (Type::Recorder::kPieces) {
+        run.pieces.reserve(engine.recorder().pieces.size());
+        for (const auto& piece : engine.recorder().pieces)
+            run.pieces.push_back(convert.piece(piece));
+        if (audit) {
+            run.audit = convert.audit(
+                engine::audit<Type>(start, engine.recorder(), engine.bodies(), engine.time()));
+        }
+    }
+    run.points = std::move(compiled.points);
+    return run;
+}
+
+/// "uniform/segments+points/double/pieces/all-pairs".
+template <class Type>
+[[nodiscard]] std::string engine_name(const char* obstacles, const char* scalar) {
+    return concatenated(Type::Motion::kName, "/", obstacles, "/", scalar, "/",
+                        Type::Recorder::kName, "/", Type::BroadPhase::kName);
+}
+
+/// The scalar types by their names on the command line.
+template <math::Scalar S>
+struct PrecisionOf;
+template <>
+struct PrecisionOf<double> {
+    static constexpr Precision kPrecision = Precision::double_precision;
+    static constexpr const char* kName = "double";
+};
+template <>
+struct PrecisionOf<long double> {
+    static constexpr Precision kPrecision = Precision::extended;
+    static constexpr const char* kName = "extended";
+};
+template <>
+struct PrecisionOf<math::Quad> {
+    static constexpr Precision kPrecision = Precision::quad;
+    static constexpr const char* kName = "quad";
+};
+template <>
+struct PrecisionOf<boost::multiprecision::cpp_bin_float_50> {
+    static constexpr Precision kPrecision = Precision::digits50;
+    static constexpr const char* kName = "50";
+};
+template <>
+struct PrecisionOf<boost::multiprecision::cpp_bin_float_100> {
+    static constexpr Precision kPrecision = Precision::digits100;
+    static constexpr const char* kName = "100";
+};
+
+template <class ObstacleKinds>
+struct ObstacleName;
+template <>
+struct ObstacleName<engine::NoObstacles> {
+    static constexpr bool kSegments = false, kArcsAndRims = false;
+    static constexpr const char* kName = "open";
+};
+template <>
+struct ObstacleName<engine::Walls> {
+    static constexpr bool kSegments = true, kArcsAndRims = false;
+    static constexpr const char* kName = "segments+points";
+};
+template <>
+struct ObstacleName<engine::Table> {
+    static constexpr bool kSegments = true, kArcsAndRims = true;
+    static constexpr const char* kName = "rims+segments+arcs+points";
+};
+
+template <math::Scalar S, class ObstacleKinds, template <class> class Recorder,
+          template <class> class BroadPhase>
+[[nodiscard]] ReadyEngine ready_engine() {
+    using Type = engine::UniformScene<S, ObstacleKinds, Recorder, BroadPhase>;
+    return {
+        PrecisionOf<S>::kPrecision,
+        ObstacleName<ObstacleKinds>::kSegments,
+        ObstacleName<ObstacleKinds>::kArcsAndRims,
+        Recorder<S>::kPieces   ? Record::pieces
+        : Recorder<S>::kEvents ? Record::events
+                               : Record::none,
+        BroadPhase<S>::kCrossings,
+        [] { return engine_name<Type>(ObstacleName<ObstacleKinds>::kName, PrecisionOf<S>::kName); },
+        &run_engine<Type>};
+}
+
+}  // namespace osculo::facade

@@ -1,0 +1,45 @@
+#include "osculo/simulate.hpp"
+
+#include <array>
+#include <utility>
+
+#include "ready_engine.hpp"
+
+namespace osculo {
+namespace {
+
+constexpr std::array<std::pair<Precision, std::string_view>, 5> kPrecisions{
+    {{Precision::double_precision, "double"},
+     {Precision::extended, "extended"},
+     {Precision::quad, "quad"},
+     {Precision::digits50, "50"},
+     {Precision::digits100, "100"}}};
+
+}  // namespace
+
+std::string_view to_string(Precision precision) {
+    for (const auto& [value, name] : kPrecisions) {
+        if (value == precision) return name;
+    }
+    return "double";
+}
+
+std::optional<Precision> precision_from_string(std::string_view name) {
+    for (const auto& [value, known] : kPrecisions) {
+        if (known == name) return value;
+    }
+    return std::nullopt;
+}
+
+Run simulate(const Scene& scene, const Options& options) {
+    validate(scene);
+    Run run = facade::narrowest_engine(scene, options).run(scene, options.audit);
+    run.scene = scene;
+    run.engine = choose_engine(scene, options);
+    // An audit needs the pieces, whether they are wanted or not.
+    if (options.record == Record::none) run.events.clear();
+    if (options.record != Record::pieces) run.pieces.clear();
+    return run;
+}
+
+}  // namespace osculo

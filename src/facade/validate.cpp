@@ -1,0 +1,230 @@
+#include <cmath>
+#include <numbers>
+#include <string>
+#include <unordered_map>
+
+#include "osculo/math/error_bounds.hpp"
+#include "osculo/scene.hpp"
+#include "outline.hpp"
+#include "overlap.hpp"
+#include "text.hpp"
+
+namespace osculo {
+namespace {
+
+using facade::concatenated;
+using facade::number_text;
+
+/// Beyond these, squares and products of quantities of one scene leave the range of double.
+constexpr double kLargest = 1e100;
+constexpr double kFastest = 1e150;
+
+std::string text(const Point& p) {
+    return concatenated("[", number_text(p.x), ", ", number_text(p.y), "]");
+}
+
+std::string at(const char* list, std::size_t index, const char* field) {
+    return concatenated(list, "[", std::to_string(index), "]", field);
+}
+
+void require(bool holds, const std::string& path, const char* rule, double value) {
+    if (!holds) throw SceneError(path, rule, number_text(value));
+}
+
+void require_size(double value, const std::string& path) {
+    require(value >= 1 / kLargest && value <= kLargest, path, "must be from 1e-100 to 1e100",
+            value);
+}
+
+void require_point(const Point& p, double largest, const std::string& path) {
+    const bool holds = std::abs(p.x) <= largest && std::abs(p.y) <= largest;
+    if (!holds) {
+        throw SceneError(
+            path, concatenated("must have components of at most ", number_text(largest)), text(p));
+    }
+}
+
+class Ids {
+public:
+    /// Throws if the id is empty or taken.
+    void add(const std::string& id, const char* list, std::size_t index) {
+        if (id.empty()) throw SceneError(at(list, index, ".id"), "must not be empty", "\"\"");
+        const auto [it, fresh] = owners_.emplace(id, at(list, index, ""));
+        if (!fresh) {
+            throw SceneError(at(list, index, ".id"),
+                             concatenated("must be unique, and ", it->second, " has it"),
+                             concatenated("\"", id, "\""));
+        }
+    }
+
+private:
+    std::unordered_map<std::string, std::string> owners_;
+};
+
+void validate_balls(const Scene& scene, Ids& ids) {
+    for (std::size_t i = 0; i < scene.balls.size(); ++i) {
+        const Ball& ball = scene.balls[i];
+        ids.add(ball.id, "balls", i);
+        require(ball.mass > 0, at("balls", i, ".mass"), "must be > 0", ball.mass);
+        require_size(ball.mass, at("balls", i, ".mass"));
+        require(ball.radius > 0, at("balls", i, ".radius"), "must be > 0", ball.radius);
+        require_size(ball.radius, at("balls", i, ".radius"));
+        require_point(ball.position, kLargest, at("balls", i, ".position"));
+        require_point(ball.velocity, kFastest, at("balls", i, ".velocity"));
+        for (const double w : ball.spin) {
+            require(std::abs(w) <= kFastest, at("balls", i, ".spin"), "must be at most 1e150", w);
+        }
+    }
+}
+
+void validate_obstacles(const Scene& scene, Ids& ids) {
+    for (std::size_t k = 0; k < scene.segments.size(); ++k) {
+        const Segment& s = scene.segments[k];
+        ids.add(s.id, "segments", k);
+        require_point(s.from, kLargest, at("segments", k, ".from"));
+        require_point(s.to, kLargest, at("segments", k, ".to"));
+        const double length = std::hypot(s.to.x - s.from.x, s.to.y - s.from.y);
+        if (!(length >= 1 / kLargest)) {
+            throw SceneError(at("segments", k, ".to"), "must differ from `from`", text(s.to));
+        }
+    }
+    for (std::size_t k = 0; k < scene.arcs.size(); ++k) {
+        const Arc& arc = scene.arcs[k];
+        ids.add(arc.id, "arcs", k);
+        require_point(arc.center, kLargest, at("arcs", k, ".center"));
+        require(arc.radius > 0, at("arcs", k, ".radius"), "must be > 0", arc.radius);
+        require_size(arc.radius, at("arcs", k, ".radius"));
+        require(std::abs(arc.from_angle) <= 100, at("arcs", k, ".from_angle"),
+                "must be from -100 to 100 rad", arc.from_angle);
+        require(arc.to_angle > arc.from_angle, at("arcs", k, ".to_angle"),
+                "must be greater than from_angle", arc.to_angle);
+        require(arc.to_angle - arc.from_angle <= 2 * std::numbers::pi * (1 + 4 * 0x1p-52),
+                at("arcs", k, ".to_angle"), "must be at most a full turn after from_angle",
+                arc.to_angle);
+    }
+    for (std::size_t k = 0; k < scene.rims.size(); ++k) {
+        const Rim& rim = scene.rims[k];
+        ids.add(rim.id, "rims", k);
+        require_point(rim.center, kLargest, at("rims", k, ".center"));
+        require(rim.radius > 0, at("rims", k, ".radius"), "must be > 0", rim.radius);
+        require_size(rim.radius, at("rims", k, ".radius"));
+    }
+}
+
+void validate_laws(const Scene& scene) {
+    const auto restitution = [](double e, const char* path) {
+        require(e >= 0 && e <= 1, path, "must be from 0 to 1", e);
+    };
+    restitution(scene.impacts.ball_ball.restitution, "impacts.ball_ball.restitution");
+    restitution(scene.impacts.ball_cushion.restitution, "impacts.ball_cushion.restitution");
+    require(std::isfinite(scene.gravity), "gravity", "must be finite", scene.gravity);
+    require(scene.limits.time > 0 && std::isfinite(scene.limits.time), "limits.time",
+            "must be > 0 and finite", scene.limits.time);
+    require(scene.limits.events > 0, "limits.events", "must be > 0", 0);
+}
+
+[[noreturn]] void throw_overlap(std::size_t i, const std::string& other, double depth) {
+    throw SceneError(
+        at("balls", i, ".position"),
+        concatenated("must not overlap ", other, " by more than 1e-7 of the smaller radius"),
+        concatenated("an overlap of ", number_text(depth), " m"));
+}
+
+/// How deep the ball is in the straight part of a segment, as seen from the side that stops it [m].
+double depth_in(const Ball& ball, const Segment& s) {
+    const double length = std::hypot(s.to.x - s.from.x, s.to.y - s.from.y);
+    const Point along{(s.to.x - s.from.x) / length, (s.to.y - s.from.y) / length};
+    const Point d{ball.position.x - s.from.x, ball.position.y - s.from.y};
+    const double foot = d.x * along.x + d.y * along.y;
+    const double height = along.x * d.y - along.y * d.x;
+    if (foot < 0 || foot > length || (s.side == Side::left && height < 0)) return 0;
+    return ball.radius - std::abs(height);
+}
+
+double depth_in(const Ball& ball, const Point& p) {
+    return ball.radius - std::hypot(ball.position.x - p.x, ball.position.y - p.y);
+}
+
+double depth_in(const Ball& ball, const Arc& arc) {
+    const Point d{ball.position.x - arc.center.x, ball.position.y - arc.center.y};
+    double angle = std::fmod(std::atan2(d.y, d.x) - arc.from_angle, 2 * std::numbers::pi);
+    if (angle < 0) angle += 2 * std::numbers::pi;
+    if (angle > arc.to_angle - arc.from_angle) return 0;
+    return ball.radius - std::abs(std::hypot(d.x, d.y) - arc.radius);
+}
+
+Point on_arc(const Arc& arc, double angle) {
+    return {arc.center.x + arc.radius * std::cos(angle),
+            arc.center.y + arc.radius * std::sin(angle)};
+}
+
+void validate_places(const Scene& scene) {
+    if (const auto overlap = facade::find_overlap(scene.balls, math::kStartOverlap)) {
+        throw_overlap(overlap->second,
+                      concatenated(at("balls", overlap->first, ""), " (\"",
+                                   scene.balls[overlap->first].id, "\")"),
+                      overlap->depth);
+    }
+    for (std::size_t i = 0; i < scene.balls.size(); ++i) {
+        const Ball& ball = scene.balls[i];
+        const auto check = [&](double depth, const char* list, std::size_t k, const char* part) {
+            if (depth > math::kStartOverlap * ball.radius)
+                throw_overlap(i, at(list, k, part), depth);
+        };
+        for (std::size_t k = 0; k < scene.segments.size(); ++k) {
+            check(depth_in(ball, scene.segments[k]), "segments", k, "");
+            check(depth_in(ball, scene.segments[k].from), "segments", k, ".from");
+            check(depth_in(ball, scene.segments[k].to), "segments", k, ".to");
+        }
+        for (std::size_t k = 0; k < scene.arcs.size(); ++k) {
+            const Arc& arc = scene.arcs[k];
+            check(depth_in(ball, arc), "arcs", k, "");
+            if (arc.to_angle - arc.from_angle < 2 * std::numbers::pi * (1 - 4 * 0x1p-52)) {
+                check(depth_in(ball, on_arc(arc, arc.from_angle)), "arcs", k, " (its start)");
+                check(depth_in(ball, on_arc(arc, arc.to_angle)), "arcs", k, " (its end)");
+            }
+        }
+        for (std::size_t k = 0; k < scene.rims.size(); ++k) {
+            const Rim& rim = scene.rims[k];
+            const double inside = rim.radius - std::hypot(ball.position.x - rim.center.x,
+                                                          ball.position.y - rim.center.y);
+            if (inside > math::kStartOverlap * rim.radius) {
+                throw SceneError(
+                    at("balls", i, ".position"),
+                    concatenated("must not be inside ", at("rims", k, ""), " (\"", rim.id, "\")"),
+                    text(ball.position));
+            }
+        }
+    }
+}
+
+void validate_closed(const Scene& scene) {
+    if (!scene.closed || scene.balls.empty()) return;
+    double smallest = scene.balls.front().radius;
+    for (const Ball& ball : scene.balls) smallest = std::min(smallest, ball.radius);
+    facade::Outline outline(scene, smallest);
+    for (std::size_t i = 0; i < scene.balls.size(); ++i) {
+        if (!outline.encloses(scene.balls[i].position)) {
+            throw SceneError(
+                at("balls", i, ".position"),
+                concatenated(
+                    "must be inside a closed outline (the scene says \"closed\": true) with "
+                    "no gap that a ball of radius ",
+                    number_text(smallest), " m fits through"),
+                text(scene.balls[i].position));
+        }
+    }
+}
+
+}  // namespace
+
+void validate(const Scene& scene) {
+    Ids ids;
+    validate_balls(scene, ids);
+    validate_obstacles(scene, ids);
+    validate_laws(scene);
+    validate_places(scene);
+    validate_closed(scene);
+}
+
+}  // namespace osculo

@@ -1,0 +1,169 @@
+#include "io/read.hpp"
+#include "osculo/presets.hpp"
+
+namespace osculo::io {
+namespace {
+
+using Names = std::string_view[];
+
+// The law must be given, and available, before anything is said about the members it brings along.
+std::size_t law_of(const Value& value, std::span<const std::string_view> available,
+                   std::span<const std::string_view> planned) {
+    const std::optional<Value> law = value.member("law");
+    if (!law) throw SceneError(value.path() + ".law", "must be given", "missing");
+    return choice(*law, available, planned);
+}
+
+MotionLaw read_motion(const Value& value) {
+    static constexpr Names kLaws{"uniform"};
+    static constexpr Names kPlanned{"rolling", "resisted", "cloth"};
+    static constexpr Names kKeys{"law"};
+    law_of(value, kLaws, kPlanned);
+    const Fields fields(value, kKeys);
+    return UniformMotion{};
+}
+
+Restitution read_restitution(const Value& value, std::span<const std::string_view> planned) {
+    static constexpr Names kLaws{"restitution"};
+    static constexpr Names kKeys{"law", "restitution"};
+    law_of(value, kLaws, planned);
+    const Fields fields(value, kKeys);
+    Restitution result;
+    if (const auto restitution = fields.find("restitution")) {
+        result.restitution = restitution->number();
+    }
+    return result;
+}
+
+Impacts read_impacts(const Value& value) {
+    static constexpr Names kPlannedBall{"frictional"};
+    static constexpr Names kPlannedCushion{"han_2005", "mathavan_2010", "stronge"};
+    static constexpr Names kSimultaneous{"sequential"};
+    static constexpr Names kPlannedSimultaneous{"symmetric"};
+    static constexpr Names kKeys{"ball_ball", "ball_cushion", "simultaneous"};
+    const Fields fields(value, kKeys);
+    Impacts result;
+    if (const auto law = fields.find("ball_ball")) {
+        result.ball_ball = read_restitution(*law, kPlannedBall);
+    }
+    if (const auto law = fields.find("ball_cushion")) {
+        result.ball_cushion = read_restitution(*law, kPlannedCushion);
+    }
+    if (const auto law = fields.find("simultaneous")) {
+        choice(*law, kSimultaneous, kPlannedSimultaneous);
+        result.simultaneous = Simultaneous::sequential;
+    }
+    return result;
+}
+
+Ball read_ball(const Value& value) {
+    static constexpr Names kKeys{"id", "mass", "radius", "position", "velocity", "spin"};
+    const Fields fields(value, kKeys);
+    Ball ball;
+    ball.id = fields.require("id").text();
+    ball.mass = fields.require("mass").number();
+    ball.radius = fields.require("radius").number();
+    ball.position = fields.require("position").point();
+    if (const auto velocity = fields.find("velocity")) ball.velocity = velocity->point();
+    if (const auto spin = fields.find("spin")) ball.spin = read_spin(*spin);
+    return ball;
+}
+
+Segment read_segment(const Value& value) {
+    static constexpr Names kSides{"left", "both"};
+    static constexpr Names kKeys{"id", "from", "to", "side"};
+    const Fields fields(value, kKeys);
+    Segment segment;
+    segment.id = fields.require("id").text();
+    segment.from = fields.require("from").point();
+    segment.to = fields.require("to").point();
+    if (const auto side = fields.find("side")) {
+        segment.side = choice(*side, kSides) == 0 ? Side::left : Side::both;
+    }
+    return segment;
+}
+
+Arc read_arc(const Value& value) {
+    static constexpr Names kKeys{"id", "center", "radius", "from_angle", "to_angle"};
+    const Fields fields(value, kKeys);
+    Arc arc;
+    arc.id = fields.require("id").text();
+    arc.center = fields.require("center").point();
+    arc.radius = fields.require("radius").number();
+    // Without angles it is the full circle; one angle alone says too little.
+    if (fields.find("from_angle") || fields.find("to_angle")) {
+        arc.from_angle = fields.require("from_angle").number();
+        arc.to_angle = fields.require("to_angle").number();
+    }
+    return arc;
+}
+
+Rim read_rim(const Value& value) {
+    static constexpr Names kLaws{"capture"};
+    static constexpr Names kPlanned{"paper", "tipping"};
+    static constexpr Names kKeys{"id", "center", "radius", "law"};
+    const Fields fields(value, kKeys);
+    Rim rim;
+    rim.id = fields.require("id").text();
+    rim.center = fields.require("center").point();
+    rim.radius = fields.require("radius").number();
+    if (const auto law = fields.find("law")) choice(*law, kLaws, kPlanned);
+    return rim;
+}
+
+Limits read_limits(const Value& value) {
+    static constexpr Names kKeys{"time", "events"};
+    const Fields fields(value, kKeys);
+    Limits limits;
+    if (const auto time = fields.find("time")) limits.time = time->number();
+    if (const auto events = fields.find("events")) limits.events = events->natural();
+    return limits;
+}
+
+void add_rack(Scene& scene, const Value& value) {
+    static constexpr Names kKeys{"name", "gap"};
+    if (value.kind() == NodeKind::text) {
+        presets::add_rack(scene, value.text(), 0);
+        return;
+    }
+    const Fields fields(value, kKeys);
+    const auto gap = fields.find("gap");
+    presets::add_rack(scene, fields.require("name").text(), gap ? gap->number() : 0);
+}
+
+template <class Thing>
+void append(std::vector<Thing>& things, const std::optional<Value>& value,
+            Thing (*read)(const Value&)) {
+    if (!value) return;
+    things.reserve(things.size() + value->size());
+    value->for_each([&](const Value& element) { things.push_back(read(element)); });
+}
+
+}  // namespace
+
+Scene read_scene(const Value& value) {
+    static constexpr Names kSchemas{kSceneSchema};
+    static constexpr Names kKeys{"schema",   "motion", "gravity", "table",   "rack",   "balls",
+                                 "segments", "arcs",   "rims",    "impacts", "closed", "limits"};
+    // The version comes first: the keys of another one may be unknown to this.
+    if (const auto schema = value.member("schema")) choice(*schema, kSchemas);
+    const Fields fields(value, kKeys);
+    static_cast<void>(fields.require("schema"));
+
+    Scene scene;
+    if (const auto motion = fields.find("motion")) scene.motion = read_motion(*motion);
+    if (const auto gravity = fields.find("gravity")) scene.gravity = gravity->number();
+    if (const auto table = fields.find("table")) presets::add_table(scene, table->text());
+    if (const auto rack = fields.find("rack")) add_rack(scene, *rack);
+    append(scene.balls, fields.find("balls"), read_ball);
+    append(scene.segments, fields.find("segments"), read_segment);
+    append(scene.arcs, fields.find("arcs"), read_arc);
+    append(scene.rims, fields.find("rims"), read_rim);
+    if (const auto impacts = fields.find("impacts")) scene.impacts = read_impacts(*impacts);
+    if (const auto closed = fields.find("closed")) scene.closed = closed->boolean();
+    if (const auto limits = fields.find("limits")) scene.limits = read_limits(*limits);
+    validate(scene);
+    return scene;
+}
+
+}  // namespace osculo::io

@@ -1,0 +1,171 @@
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cmath>
+
+#include "io/svg/draw.hpp"
+
+namespace osculo::io::svg {
+namespace {
+
+constexpr std::string_view kDark = "fill=\"#222222\"";
+constexpr std::string_view kGrey = "fill=\"#5b6570\"";
+
+std::string rounded(double value, int digits) {
+    std::array<char, 40> buffer{};
+    const auto result = std::to_chars(buffer.data(), buffer.data() + buffer.size(), value,
+                                      std::chars_format::general, digits);
+    return {buffer.data(), result.ptr};
+}
+
+std::string counted(std::uint64_t count, const std::string& noun) {
+    return std::to_string(count) + ' ' + noun + (count == 1 ? "" : "s");
+}
+
+std::string_view words(Status status) {
+    switch (status) {
+        case Status::at_rest: return "everything is at rest";
+        case Status::time_limit: return "time limit reached";
+        case Status::event_limit: return "event limit reached";
+        case Status::zeno: return "impacts accumulate";
+        case Status::numeric: return "out of numeric range";
+    }
+    return "";
+}
+
+std::string_view words(EventKind kind) {
+    switch (kind) {
+        case EventKind::capture: return "falls into";
+        case EventKind::ball_ball:
+        case EventKind::ball_segment:
+        case EventKind::ball_arc:
+        case EventKind::ball_point: return "meets";
+    }
+    return "";
+}
+
+// All times with as many decimals as the last one has within seven digits.
+std::string time_text(double time, double end) {
+    const double digits_before = end > 0 ? std::floor(std::log10(end)) + 1 : 1;
+    const double decimals = 7 - std::max(digits_before, 1.0);
+    if (!(decimals >= 0) || end < 1e-3) return rounded(time, 7);
+    std::array<char, 40> buffer{};
+    const auto result = std::to_chars(buffer.data(), buffer.data() + buffer.size(), time,
+                                      std::chars_format::fixed, static_cast<int>(decimals));
+    return {buffer.data(), result.ptr};
+}
+
+// The largest 1, 2 or 5 times a power of ten [m] that is shorter than so many pixels.
+double scale_length(const View& view, double pixels) {
+    const double most = view.metres(pixels);
+    const double power = std::pow(10, std::floor(std::log10(most)));
+    for (const double factor : {5.0, 2.0}) {
+        if (factor * power <= most) return factor * power;
+    }
+    return power;
+}
+
+// What comes next goes below what is there.
+class Lines {
+public:
+    Lines(Canvas& canvas, const Panel& panel) : canvas_(canvas), panel_(panel) {}
+
+    void text(double size, std::string_view content, std::string_view style) {
+        used_ += 1.45 * size;
+        canvas_.text({panel_.corner.x, panel_.corner.y + used_}, size, content, style);
+    }
+    void space(double height) { used_ += height; }
+    [[nodiscard]] double used() const { return used_; }
+    [[nodiscard]] double left() const { return panel_.height - used_; }
+    [[nodiscard]] Point at() const { return {panel_.corner.x, panel_.corner.y + used_}; }
+
+private:
+    Canvas& canvas_;
+    Panel panel_;
+    double used_ = 0;
+};
+
+void draw_scale_bar(Canvas& canvas, const View& view, Lines& lines, double width) {
+    const double metres = scale_length(view, std::min(220.0, 0.4 * width));
+    const double length = view.length(metres);
+    lines.space(22);
+    const Point at = lines.at();
+    canvas.raw("<g stroke=\"#222222\" stroke-width=\"1.5\">\n");
+    canvas.line(at, {at.x + length, at.y}, "");
+    canvas.line({at.x, at.y - 4}, {at.x, at.y + 4}, "");
+    canvas.line({at.x + length, at.y - 4}, {at.x + length, at.y + 4}, "");
+    canvas.raw("</g>\n");
+    canvas.text({at.x + length + 8, at.y + 4.5}, 13, rounded(metres, 6) + " m", kDark);
+    lines.space(10);
+}
+
+std::string key_to_picture(const Run& run, const PathsAndContacts& drawn) {
+    std::string key = "Dashed: start. Solid: end. Arrows: velocity at the start.";
+    if (!drawn.paths) key += " Paths left out: too many.";
+    if (run.events.empty() && run.event_count > 0) return key + " Contacts were not recorded.";
+    if (drawn.contacts.dots < run.event_count) {
+        key += " Dots: the first " + counted(drawn.contacts.dots, "contact") + '.';
+    } else if (drawn.contacts.dots > 0) {
+        key += " Dots: contacts.";
+    }
+    return key;
+}
+
+std::string key_to_numbers(const Run& run, const DrawnContacts& contacts) {
+    if (contacts.numbered == 0) return {};
+    std::string key = "Numbers: ";
+    key += contacts.numbered < run.event_count
+               ? "the first " + std::to_string(contacts.numbered) + " contacts in order of time"
+               : "contacts in order of time";
+    if (contacts.skipped > 0) {
+        key += " (" + std::to_string(contacts.skipped) + " left out for want of room)";
+    }
+    return key + '.';
+}
+
+// "1   0.0512 s   cue meets 1", as many as have numbers and fit.
+void draw_events(Canvas& canvas, Lines& lines, const Run& run, std::size_t numbered) {
+    constexpr double kSize = 12;
+    constexpr double kLine = 1.45 * kSize;
+    const auto room = static_cast<std::size_t>(std::max(0.0, (lines.left() - 12) / kLine));
+    constexpr std::size_t kFewest = 3;
+    if (room < kFewest) return;
+    lines.space(8);
+    for (std::size_t i = 0; i < std::min(numbered, room); ++i) {
+        const Event& event = run.events[i];
+        const auto [ball, other] = run.ids(event);
+        lines.space(kLine);
+        const Point at = lines.at();
+        canvas.text({at.x + 18, at.y}, kSize, std::to_string(i + 1),
+                    "fill=\"#222222\" font-weight=\"bold\" text-anchor=\"end\"");
+        canvas.text({at.x + 104, at.y}, kSize, time_text(event.time, run.time) + " s",
+                    "fill=\"#5b6570\" text-anchor=\"end\"");
+        canvas.text({at.x + 118, at.y}, kSize,
+                    ball + ' ' + std::string(words(event.kind)) + ' ' + other, kDark);
+    }
+}
+
+}  // namespace
+
+void draw_panel(Canvas& canvas, const Picture& picture, const Panel& panel, const Run* run,
+                const PathsAndContacts& drawn) {
+    Lines lines(canvas, panel);
+    if (run == nullptr) {
+        lines.text(18, counted(picture.scene.balls.size(), "ball") + " at the start",
+                   "fill=\"#222222\" font-weight=\"bold\"");
+        draw_scale_bar(canvas, picture.view, lines, panel.width);
+        return;
+    }
+    lines.text(18,
+               rounded(run->time, 6) + " s, " + counted(run->event_count, "event") + ": " +
+                   std::string(words(run->status)),
+               "fill=\"#222222\" font-weight=\"bold\"");
+    for (const std::string& key :
+         {key_to_picture(*run, drawn), key_to_numbers(*run, drawn.contacts)}) {
+        if (!key.empty()) lines.text(12, key, kGrey);
+    }
+    draw_scale_bar(canvas, picture.view, lines, panel.width);
+    draw_events(canvas, lines, *run, drawn.contacts.numbered);
+}
+
+}  // namespace osculo::io::svg

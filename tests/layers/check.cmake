@@ -1,0 +1,51 @@
+# Usage: cmake -DINCLUDE_DIR=... -DSOURCE_DIR=... -P check.cmake
+# Fails if a header includes one of a layer to its right, or if a library is used outside of its place.
+set(layers math geometry motion detect impact engine)
+set(failures)
+
+set(allowed)
+foreach(layer ${layers})
+  list(APPEND allowed ${layer})
+  file(GLOB_RECURSE headers ${INCLUDE_DIR}/osculo/${layer}/*.hpp)
+  if(NOT headers)
+    list(APPEND failures "no headers found in layer ${layer}")
+  endif()
+  foreach(header ${headers})
+    file(STRINGS ${header} includes REGEX "^#include \"osculo/")
+    foreach(line ${includes})
+      string(REGEX REPLACE "^#include \"osculo/([^/\"]*).*" "\\1" used ${line})
+      if(NOT used IN_LIST allowed AND NOT used STREQUAL "status.hpp")
+        list(APPEND failures "${header}: ${line}")
+      endif()
+    endforeach()
+  endforeach()
+endforeach()
+
+# The facade's headers show neither templates of the core nor its libraries.
+foreach(name status scene run simulate presets io version)
+  file(STRINGS ${INCLUDE_DIR}/osculo/${name}.hpp lines
+       REGEX "^#include (<Eigen|<boost|\"osculo/[a-z]*/)")
+  foreach(line ${lines})
+    list(APPEND failures "${name}.hpp: ${line}")
+  endforeach()
+endforeach()
+
+# Each library is included in its own place only.
+function(only_in pattern place)
+  file(GLOB_RECURSE sources ${INCLUDE_DIR}/*.hpp ${SOURCE_DIR}/*.hpp ${SOURCE_DIR}/*.cpp)
+  foreach(source ${sources})
+    file(STRINGS ${source} lines REGEX "^#include <${pattern}")
+    if(lines AND NOT source MATCHES "${place}")
+      set(failures ${failures} "${source}: ${lines}" PARENT_SCOPE)
+    endif()
+  endforeach()
+endfunction()
+only_in("boost/heap" "engine/queue\\.hpp$")
+only_in("nlohmann" "/src/io/")
+only_in("CLI/" "/src/cli/")
+only_in("fmt/" "/src/cli/")
+
+if(failures)
+  list(JOIN failures "\n  " text)
+  message(FATAL_ERROR "Layers are mixed:\n  ${text}")
+endif()
