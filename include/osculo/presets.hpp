@@ -12,13 +12,13 @@ namespace osculo::presets {
 
 /// What a preset can be asked for. A preset refuses (SceneError) what it does not use.
 struct Parameters {
-    std::optional<std::uint32_t> balls;   ///< number of balls
-    std::optional<double> packing;        ///< fraction of the area that disks cover, (0, 0.6]
-    std::optional<double> gap;            ///< between neighbouring balls [m], >= 0
-    std::optional<double> speed;          ///< of the ball or balls that start moving [m/s], > 0
-    std::optional<double> restitution;    ///< of every contact, in [0, 1]
-    std::optional<std::uint32_t> digits;  ///< digits of pi to count, 1 to 7
-    std::optional<std::uint64_t> seed;    ///< of everything drawn at random
+    std::optional<std::uint32_t> balls{};   ///< number of balls
+    std::optional<double> packing{};        ///< fraction of the area that disks cover, (0, 0.6]
+    std::optional<double> gap{};            ///< between neighbouring balls [m], >= 0
+    std::optional<double> speed{};          ///< of the ball or balls that start moving [m/s], > 0
+    std::optional<double> restitution{};    ///< of every contact, in [0, 1]
+    std::optional<std::uint32_t> digits{};  ///< digits of pi to count, 1 to 7
+    std::optional<std::uint64_t> seed{};    ///< of everything drawn at random
 };
 
 struct Info {
@@ -35,11 +35,13 @@ struct Info {
 [[nodiscard]] Scene make(std::string_view name, const Parameters& parameters = {});
 
 /// Adds the cushions, jaws and rims of a table to the scene ("pool-7ft", "carom-10ft"), marked
-/// closed.
+/// closed. The origin is the corner of the nose lines at the bottom left, the length is along y.
+/// Throws SceneError (with the nearest name) if there is no such table.
 void add_table(Scene& scene, std::string_view name);
 
-/// Adds a rack of balls, on the table that the scene already has ("eight-ball"), neighbours gap [m]
-/// apart.
+/// Adds a rack of balls ("eight-ball": "1" to "15", without a cue ball) on the foot spot of the
+/// pool table that the scene already has, neighbours gap [m] apart, 0 to one radius. Throws
+/// SceneError if there is no such rack or table, or for a gap out of range.
 void add_rack(Scene& scene, std::string_view name, double gap);
 
 }  // namespace osculo::presets

@@ -54,7 +54,9 @@ void add_presets(CLI::App& app) {
     command->add_option("--restitution", parameters.restitution, "of every contact, 0 to 1")
         ->option_text("E");
     command->add_option("--digits", parameters.digits, "digits of pi")->option_text("N");
-    command->add_option("--seed", parameters.seed, "of everything random")->option_text("N");
+    command->add_option("--seed", parameters.seed, "of everything random")
+        ->option_text("N")
+        ->check(CLI::NonNegativeNumber);
     command->footer(
         "Examples:\n"
         "  osculo presets\n"

@@ -84,7 +84,8 @@ void add_run(CLI::App& app, ExitCode& exit_code) {
     command->add_option("--time", arguments->time, "simulated time to end at [s]")
         ->option_text("T [as in the scene]");
     command->add_option("--events", arguments->events, "number of events to end at")
-        ->option_text("N [as in the scene]");
+        ->option_text("N [as in the scene]")
+        ->check(CLI::NonNegativeNumber);
     command->add_flag("-q,--quiet", arguments->quiet, "no summary");
     command->footer(
         "Examples:\n"

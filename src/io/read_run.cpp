@@ -47,6 +47,7 @@ struct Indices {
             case EventKind::ball_segment: return segments;
             case EventKind::ball_arc: return arcs;
             case EventKind::ball_point: return points;
+            case EventKind::transition: break;
         }
         return balls;
     }
@@ -74,23 +75,34 @@ std::array<BallState, 2> read_states(const Value& value, EventKind kind) {
     return states;
 }
 
+Phase read_phase(const Value& value) {
+    static constexpr Phase kPhases[]{Phase::uniform, Phase::rest, Phase::spinning, Phase::rolling,
+                                     Phase::sliding};
+    static constexpr Names kPhaseNames{to_string(kPhases[0]), to_string(kPhases[1]),
+                                       to_string(kPhases[2]), to_string(kPhases[3]),
+                                       to_string(kPhases[4])};
+    return kPhases[choice(value, kPhaseNames)];
+}
+
 Event read_event(const Value& value, const Indices& indices) {
-    static constexpr Names kKeys{"time",  "time_low", "kind",   "ids",
-                                 "point", "normal",   "before", "after"};
-    static constexpr EventKind kKinds[]{EventKind::capture, EventKind::ball_ball,
+    static constexpr Names kKeys{"time",   "time_low", "kind",  "ids",  "point",
+                                 "normal", "before",   "after", "from", "to"};
+    static constexpr EventKind kKinds[]{EventKind::capture,      EventKind::ball_ball,
                                         EventKind::ball_segment, EventKind::ball_arc,
-                                        EventKind::ball_point};
+                                        EventKind::ball_point,   EventKind::transition};
     static constexpr Names kKindNames{to_string(kKinds[0]), to_string(kKinds[1]),
                                       to_string(kKinds[2]), to_string(kKinds[3]),
-                                      to_string(kKinds[4])};
+                                      to_string(kKinds[4]), to_string(kKinds[5])};
     const Fields fields(value, kKeys);
     Event event;
     event.time = fields.require("time").number();
     if (const auto low = fields.find("time_low")) event.time_low = low->number();
     event.kind = kKinds[choice(fields.require("kind"), kKindNames)];
 
+    const bool transition = event.kind == EventKind::transition;
     const Value ids = fields.require("ids");
-    if (ids.size() != 2) ids.fail("must be an array of length 2");
+    if (transition && ids.size() != 1) ids.fail("must be an array of length 1");
+    if (!transition && ids.size() != 2) ids.fail("must be an array of length 2");
     bool is_first = true;
     ids.for_each([&](const Value& id) {
         (is_first ? event.ball : event.other) =
@@ -98,17 +110,23 @@ Event read_event(const Value& value, const Indices& indices) {
         is_first = false;
     });
 
-    event.point = fields.require("point").point();
-    event.normal = fields.require("normal").point();
+    if (transition) {
+        event.from = read_phase(fields.require("from"));
+        event.to = read_phase(fields.require("to"));
+    } else {
+        event.point = fields.require("point").point();
+        event.normal = fields.require("normal").point();
+    }
     event.before = read_states(fields.require("before"), event.kind);
     event.after = read_states(fields.require("after"), event.kind);
+    if (transition) event.point = event.before[0].position;
     return event;
 }
 
 Piece read_piece(const Value& value, const Indices& indices) {
-    static constexpr Names kKeys{"ball", "from",     "from_low",     "to",       "to_low",
-                                 "law",  "position", "position_low", "velocity", "spin"};
-    static constexpr Names kLaws{"uniform"};
+    static constexpr Names kKeys{"ball",     "from", "from_low",     "to",
+                                 "to_low",   "law",  "position",     "position_low",
+                                 "velocity", "spin", "acceleration", "spin_rate"};
     const Fields fields(value, kKeys);
     Piece piece;
     piece.ball = indices.balls(fields.require("ball"));
@@ -116,11 +134,13 @@ Piece read_piece(const Value& value, const Indices& indices) {
     if (const auto low = fields.find("from_low")) piece.from_low = low->number();
     piece.to = fields.require("to").number();
     if (const auto low = fields.find("to_low")) piece.to_low = low->number();
-    choice(fields.require("law"), kLaws);
+    piece.phase = read_phase(fields.require("law"));
     piece.position = fields.require("position").point();
     if (const auto low = fields.find("position_low")) piece.position_low = low->point();
     piece.velocity = fields.require("velocity").point();
+    if (const auto a = fields.find("acceleration")) piece.acceleration = a->point();
     if (const auto spin = fields.find("spin")) piece.spin = read_spin(*spin);
+    if (const auto rate = fields.find("spin_rate")) piece.spin_rate = read_spin(*rate);
     return piece;
 }
 

@@ -1,4 +1,5 @@
 #include "io/read.hpp"
+#include "io/read_laws.hpp"
 #include "osculo/presets.hpp"
 
 namespace osculo::io {
@@ -6,58 +7,8 @@ namespace {
 
 using Names = std::string_view[];
 
-// The law must be given, and available, before anything is said about the members it brings along.
-std::size_t law_of(const Value& value, std::span<const std::string_view> available,
-                   std::span<const std::string_view> planned) {
-    const std::optional<Value> law = value.member("law");
-    if (!law) throw SceneError(value.path() + ".law", "must be given", "missing");
-    return choice(*law, available, planned);
-}
-
-MotionLaw read_motion(const Value& value) {
-    static constexpr Names kLaws{"uniform"};
-    static constexpr Names kPlanned{"rolling", "resisted", "cloth"};
-    static constexpr Names kKeys{"law"};
-    law_of(value, kLaws, kPlanned);
-    const Fields fields(value, kKeys);
-    return UniformMotion{};
-}
-
-Restitution read_restitution(const Value& value, std::span<const std::string_view> planned) {
-    static constexpr Names kLaws{"restitution"};
-    static constexpr Names kKeys{"law", "restitution"};
-    law_of(value, kLaws, planned);
-    const Fields fields(value, kKeys);
-    Restitution result;
-    if (const auto restitution = fields.find("restitution")) {
-        result.restitution = restitution->number();
-    }
-    return result;
-}
-
-Impacts read_impacts(const Value& value) {
-    static constexpr Names kPlannedBall{"frictional"};
-    static constexpr Names kPlannedCushion{"han_2005", "mathavan_2010", "stronge"};
-    static constexpr Names kSimultaneous{"sequential"};
-    static constexpr Names kPlannedSimultaneous{"symmetric"};
-    static constexpr Names kKeys{"ball_ball", "ball_cushion", "simultaneous"};
-    const Fields fields(value, kKeys);
-    Impacts result;
-    if (const auto law = fields.find("ball_ball")) {
-        result.ball_ball = read_restitution(*law, kPlannedBall);
-    }
-    if (const auto law = fields.find("ball_cushion")) {
-        result.ball_cushion = read_restitution(*law, kPlannedCushion);
-    }
-    if (const auto law = fields.find("simultaneous")) {
-        choice(*law, kSimultaneous, kPlannedSimultaneous);
-        result.simultaneous = Simultaneous::sequential;
-    }
-    return result;
-}
-
 Ball read_ball(const Value& value) {
-    static constexpr Names kKeys{"id", "mass", "radius", "position", "velocity", "spin"};
+    static constexpr Names kKeys{"id", "mass", "radius", "position", "velocity", "spin", "inertia"};
     const Fields fields(value, kKeys);
     Ball ball;
     ball.id = fields.require("id").text();
@@ -66,6 +17,7 @@ Ball read_ball(const Value& value) {
     ball.position = fields.require("position").point();
     if (const auto velocity = fields.find("velocity")) ball.velocity = velocity->point();
     if (const auto spin = fields.find("spin")) ball.spin = read_spin(*spin);
+    if (const auto inertia = fields.find("inertia")) ball.inertia = inertia->number();
     return ball;
 }
 
@@ -143,8 +95,9 @@ void append(std::vector<Thing>& things, const std::optional<Value>& value,
 
 Scene read_scene(const Value& value) {
     static constexpr Names kSchemas{kSceneSchema};
-    static constexpr Names kKeys{"schema",   "motion", "gravity", "table",   "rack",   "balls",
-                                 "segments", "arcs",   "rims",    "impacts", "closed", "limits"};
+    static constexpr Names kKeys{"schema", "motion",   "gravity", "table", "rack",
+                                 "balls",  "segments", "arcs",    "rims",  "impacts",
+                                 "cue",    "closed",   "limits"};
     // The version comes first: the keys of another one may be unknown to this.
     if (const auto schema = value.member("schema")) choice(*schema, kSchemas);
     const Fields fields(value, kKeys);
@@ -160,6 +113,7 @@ Scene read_scene(const Value& value) {
     append(scene.arcs, fields.find("arcs"), read_arc);
     append(scene.rims, fields.find("rims"), read_rim);
     if (const auto impacts = fields.find("impacts")) scene.impacts = read_impacts(*impacts);
+    if (const auto cue = fields.find("cue")) scene.cue = read_cue(*cue);
     if (const auto closed = fields.find("closed")) scene.closed = closed->boolean();
     if (const auto limits = fields.find("limits")) scene.limits = read_limits(*limits);
     validate(scene);

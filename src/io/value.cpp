@@ -181,7 +181,8 @@ std::size_t choice(const Value& value, std::span<const std::string_view> availab
         rule += " (" + listed(planned, " and ") + (planned.size() == 1 ? " is" : " are") +
                 " not available yet)";
     }
-    if (std::ranges::find(planned, name) == planned.end()) rule += did_you_mean(name, available);
+    const bool is_planned = std::ranges::find(planned, name) != planned.end();
+    if (available.size() > 1 && !is_planned) rule += did_you_mean(name, available);
     value.fail(rule);
 }
 

@@ -64,14 +64,21 @@ void write_states(JsonText& json, const std::array<BallState, 2>& states, bool b
 
 void write_event(JsonText& json, const Run& run, const Event& event) {
     const bool both = event.kind == EventKind::ball_ball;
+    const bool transition = event.kind == EventKind::transition;
     Members members(json);
     members.number("time", event.time);
     members.low_part("time_low", event.time_low);
     members.string("kind", to_string(event.kind));
     members.key("ids");
-    json.strings(run.ids(event));
-    members.vector("point", event.point);
-    members.vector("normal", event.normal);
+    if (transition) {
+        json.strings(std::array{run.scene.balls[event.ball].id});
+        members.string("from", to_string(event.from));
+        members.string("to", to_string(event.to));
+    } else {
+        json.strings(run.ids(event));
+        members.vector("point", event.point);
+        members.vector("normal", event.normal);
+    }
     members.key("before");
     write_states(json, event.before, both);
     members.key("after");
@@ -86,11 +93,13 @@ void write_piece(JsonText& json, const Run& run, const Piece& piece) {
     members.low_part("from_low", piece.from_low);
     members.number("to", piece.to);
     members.low_part("to_low", piece.to_low);
-    members.string("law", "uniform");
+    members.string("law", to_string(piece.phase));
     members.vector("position", piece.position);
     members.rare("position_low", piece.position_low);
     members.vector("velocity", piece.velocity);
+    members.rare("acceleration", piece.acceleration);
     members.rare("spin", piece.spin);
+    members.rare("spin_rate", piece.spin_rate);
     members.close();
 }
 

@@ -20,6 +20,10 @@ void write_ball(JsonText& json, const Ball& ball) {
         json.raw(", \"spin\": ");
         json.vector(ball.spin);
     }
+    if (ball.inertia != Ball{}.inertia) {
+        json.raw(", \"inertia\": ");
+        json.number(ball.inertia);
+    }
     json.raw("}");
 }
 
@@ -57,9 +61,66 @@ void write_rim(JsonText& json, const Rim& rim) {
     json.raw(", \"law\": \"capture\"}");
 }
 
-void write_restitution(JsonText& json, const Restitution& law) {
-    json.raw("{\"law\": \"restitution\", \"restitution\": ");
-    json.number(law.restitution);
+// `, "name": number`
+void write_number(JsonText& json, std::string_view name, double number) {
+    json.raw(", \"");
+    json.raw(name);
+    json.raw("\": ");
+    json.number(number);
+}
+
+void write_motion(JsonText& json, const MotionLaw& motion) {
+    if (const auto* rolling = std::get_if<RollingMotion>(&motion)) {
+        json.raw("{\"law\": \"rolling\"");
+        write_number(json, "friction", rolling->friction);
+    } else if (const auto* cloth = std::get_if<ClothMotion>(&motion)) {
+        json.raw("{\"law\": \"cloth\"");
+        write_number(json, "sliding_friction", cloth->sliding_friction);
+        write_number(json, "rolling_friction", cloth->rolling_friction);
+        write_number(json, "spinning_friction", cloth->spinning_friction);
+    } else {
+        json.raw("{\"law\": \"uniform\"");
+    }
+    json.raw("}");
+}
+
+void write_impacts(JsonText& json, const Scene& scene) {
+    const BallBallImpact& balls = scene.impacts.ball_ball;
+    const CushionImpact& cushion = scene.impacts.ball_cushion;
+    const bool frictional = balls.law == BallBallLaw::frictional;
+    json.raw("{\"ball_ball\": {\"law\": ");
+    json.string(frictional ? "frictional" : "restitution");
+    write_number(json, "restitution", balls.restitution);
+    if (frictional) {
+        json.raw(", \"friction\": ");
+        json.vector(balls.friction);
+    }
+    json.raw("}, \"ball_cushion\": {\"law\": ");
+    json.string(to_string(cushion.law));
+    write_number(json, "restitution", cushion.restitution);
+    if (cushion.law != CushionLaw::restitution) {
+        write_number(json, "friction", cushion.friction);
+        write_number(json, "height", cushion.height);
+    }
+    json.raw("}, \"simultaneous\": \"sequential\"");
+    if (!std::holds_alternative<UniformMotion>(scene.motion)) {
+        write_number(json, "contact_time", scene.impacts.contact_time);
+    }
+    json.raw("}");
+}
+
+void write_cue(JsonText& json, const Cue& cue) {
+    json.raw("{\"ball\": ");
+    json.string(cue.ball);
+    write_number(json, "speed", cue.speed);
+    write_number(json, "azimuth", cue.azimuth);
+    write_number(json, "elevation", cue.elevation);
+    json.raw(", \"offset\": ");
+    json.vector(Point{cue.offset[0], cue.offset[1]});
+    write_number(json, "mass", cue.mass);
+    write_number(json, "end_mass", cue.end_mass);
+    write_number(json, "restitution", cue.restitution);
+    write_number(json, "miscue_limit", cue.miscue_limit);
     json.raw("}");
 }
 
@@ -76,7 +137,7 @@ void write_scene(JsonText& json, const Scene& scene, const std::string& indent) 
     json.raw("{\n" + inner + "\"schema\": ");
     json.string(kSceneSchema);
     key("motion");
-    json.raw("{\"law\": \"uniform\"}");
+    write_motion(json, scene.motion);
     key("gravity");
     json.number(scene.gravity);
     key("balls");
@@ -88,11 +149,11 @@ void write_scene(JsonText& json, const Scene& scene, const std::string& indent) 
     key("rims");
     json.lines(scene.rims, inner, [&](const Rim& rim) { write_rim(json, rim); });
     key("impacts");
-    json.raw("{\"ball_ball\": ");
-    write_restitution(json, scene.impacts.ball_ball);
-    json.raw(", \"ball_cushion\": ");
-    write_restitution(json, scene.impacts.ball_cushion);
-    json.raw(", \"simultaneous\": \"sequential\"}");
+    write_impacts(json, scene);
+    if (scene.cue) {
+        key("cue");
+        write_cue(json, *scene.cue);
+    }
     key("closed");
     json.boolean(scene.closed);
     key("limits");

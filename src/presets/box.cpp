@@ -11,13 +11,13 @@ Scene make_box(const Parameters& parameters) {
     constexpr double kRadius = 0.03;
     const auto balls = in_range<std::uint32_t>("balls", parameters.balls, 1, 1, 100);
     const double speed = speed_of(parameters, 1);
-    std::mt19937_64 random(parameters.seed.value_or(1));
+    std::mt19937_64 random(parameters.seed.value_or(2));
 
     Scene scene;
     add_rectangle(scene, 1, 1);
     scene.closed = true;
     scene.impacts = impacts_of(parameters);
-    scene.limits.time = 10 / speed;
+    scene.limits.time = 20 / speed;
     for (const Point& center : place_disks(balls, kRadius, random)) {
         const Point direction = random_direction(random);
         Ball ball;

@@ -12,7 +12,7 @@ namespace {
 
 constexpr std::array kInfos{
     Info{"box", "balls in an empty box of 1 m x 1 m",
-         "balls (1, up to 100), speed (1), restitution (1), seed (1)"},
+         "balls (1, up to 100), speed (1), restitution (1), seed (2)"},
     Info{"carom", "three balls on a 10 ft carom table, one moving", "speed (4), restitution (1)"},
     Info{"cradle", "Newton's cradle: balls in a row, struck by the first",
          "balls (5, 3 to 15), gap (0), speed (1), restitution (1)"},

@@ -29,8 +29,10 @@ template <class T>
 }
 
 [[nodiscard]] inline Impacts impacts_of(const Parameters& parameters) {
-    const Restitution law{in_range("restitution", parameters.restitution, 1.0, 0.0, 1.0)};
-    return {.ball_ball = law, .ball_cushion = law};
+    Impacts impacts;
+    impacts.ball_ball.restitution = in_range("restitution", parameters.restitution, 1.0, 0.0, 1.0);
+    impacts.ball_cushion.restitution = impacts.ball_ball.restitution;
+    return impacts;
 }
 
 }  // namespace osculo::presets

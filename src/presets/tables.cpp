@@ -27,7 +27,9 @@ const Table* pool_table_of(const Scene& scene) {
     for (const Table& table : kTables) {
         Scene bare;
         table.add(bare);
-        const bool has_it = !std::ranges::search(scene.segments, bare.segments).empty();
+        const bool has_it =
+            std::search(scene.segments.begin(), scene.segments.end(), bare.segments.begin(),
+                        bare.segments.end()) != scene.segments.end();
         if (has_it && table.for_pool) return &table;
     }
     return nullptr;

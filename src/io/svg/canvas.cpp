@@ -8,10 +8,10 @@
 
 namespace osculo::io::svg {
 
-Canvas::Canvas(double width, double height, std::string_view title) {
+Canvas::Canvas(double width, double height, double scale, std::string_view title) {
     raw("<svg xmlns=\"http://www.w3.org/2000/svg\"");
-    attribute("width", width);
-    attribute("height", height);
+    attribute("width", scale * width);
+    attribute("height", scale * height);
     raw(" viewBox=\"0 0 ");
     number(width);
     raw(" ");

@@ -12,7 +12,8 @@ namespace osculo::io::svg {
 /// to 0.01 px. `style` is a list of attributes as in SVG.
 class Canvas {
 public:
-    Canvas(double width, double height, std::string_view title);
+    /// Drawn in width x height, shown `scale` times as large.
+    Canvas(double width, double height, double scale, std::string_view title);
 
     void circle(Point center, double radius, std::string_view style);
     void line(Point from, Point to, std::string_view style);

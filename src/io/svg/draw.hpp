@@ -24,6 +24,11 @@ void draw_table(Canvas& canvas, const Picture& picture, const Outline& outline);
 
 /// The path of every ball, unless there are too many pieces to tell anything apart: then false.
 bool draw_paths(Canvas& canvas, const Picture& picture, const Run& run);
+/// Whether there are so many pieces that later ones are drawn fainter.
+[[nodiscard]] bool paths_fade(const Run& run);
+
+/// One ball out of so many is drawn: 1, unless there are more than a picture has room for.
+[[nodiscard]] std::size_t ball_stride(const Scene& scene);
 
 enum class BallStyle { solid, ghost };
 void draw_balls_at_start(Canvas& canvas, const Picture& picture, BallStyle style);

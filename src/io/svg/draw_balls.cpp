@@ -70,8 +70,14 @@ void draw_ghost(Canvas& canvas, const Picture& picture, std::size_t ball, Point 
 
 }  // namespace
 
+std::size_t ball_stride(const Scene& scene) {
+    constexpr std::size_t kMostBalls = 20'000;
+    return 1 + scene.balls.size() / (kMostBalls + 1);
+}
+
 void draw_balls_at_start(Canvas& canvas, const Picture& picture, BallStyle style) {
-    for (std::size_t i = 0; i < picture.scene.balls.size(); ++i) {
+    const std::size_t stride = ball_stride(picture.scene);
+    for (std::size_t i = 0; i < picture.scene.balls.size(); i += stride) {
         const Ball& ball = picture.scene.balls[i];
         const Point at = picture.view(ball.position);
         const double radius = std::max(kSmallest, picture.view.length(ball.radius));
@@ -80,7 +86,8 @@ void draw_balls_at_start(Canvas& canvas, const Picture& picture, BallStyle style
 }
 
 void draw_balls_at_end(Canvas& canvas, const Picture& picture, const Run& run) {
-    for (std::size_t i = 0; i < run.balls.size(); ++i) {
+    const std::size_t stride = ball_stride(picture.scene);
+    for (std::size_t i = 0; i < run.balls.size(); i += stride) {
         const FinalBall& final = run.balls[i];
         const Point at = picture.view(final.state.position);
         if (!picture.view.shows(at)) continue;

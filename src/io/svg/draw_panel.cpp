@@ -2,6 +2,7 @@
 #include <array>
 #include <charconv>
 #include <cmath>
+#include <utility>
 
 #include "io/svg/draw.hpp"
 
@@ -40,6 +41,7 @@ std::string_view words(EventKind kind) {
         case EventKind::ball_segment:
         case EventKind::ball_arc:
         case EventKind::ball_point: return "meets";
+        case EventKind::transition: break;  // not shown
     }
     return "";
 }
@@ -74,6 +76,17 @@ public:
         used_ += 1.45 * size;
         canvas_.text({panel_.corner.x, panel_.corner.y + used_}, size, content, style);
     }
+    // On as many lines as it takes; the width of letters is a guess.
+    void paragraph(double size, std::string_view words, std::string_view style) {
+        const auto most = static_cast<std::size_t>(std::max(20.0, panel_.width / (0.55 * size)));
+        while (words.size() > most) {
+            const std::size_t end = words.rfind(' ', most);
+            if (end == std::string_view::npos) break;
+            text(size, words.substr(0, end), style);
+            words.remove_prefix(end + 1);
+        }
+        if (!words.empty()) text(size, words, style);
+    }
     void space(double height) { used_ += height; }
     [[nodiscard]] double used() const { return used_; }
     [[nodiscard]] double left() const { return panel_.height - used_; }
@@ -84,6 +97,11 @@ private:
     Panel panel_;
     double used_ = 0;
 };
+
+std::string key_to_balls(const Scene& scene) {
+    const std::size_t stride = ball_stride(scene);
+    return stride == 1 ? "" : "One ball in " + std::to_string(stride) + " is drawn.";
+}
 
 void draw_scale_bar(Canvas& canvas, const View& view, Lines& lines, double width) {
     const double metres = scale_length(view, std::min(220.0, 0.4 * width));
@@ -101,7 +119,11 @@ void draw_scale_bar(Canvas& canvas, const View& view, Lines& lines, double width
 
 std::string key_to_picture(const Run& run, const PathsAndContacts& drawn) {
     std::string key = "Dashed: start. Solid: end. Arrows: velocity at the start.";
-    if (!drawn.paths) key += " Paths left out: too many.";
+    if (!drawn.paths) {
+        key += " Paths left out: too many.";
+    } else if (paths_fade(run)) {
+        key += " Paths fade with time.";
+    }
     if (run.events.empty() && run.event_count > 0) return key + " Contacts were not recorded.";
     if (drawn.contacts.dots < run.event_count) {
         key += " Dots: the first " + counted(drawn.contacts.dots, "contact") + '.';
@@ -123,6 +145,11 @@ std::string key_to_numbers(const Run& run, const DrawnContacts& contacts) {
     return key + '.';
 }
 
+double speed_before(const Event& event, std::size_t which) {
+    const Point& velocity = event.before[which].velocity;
+    return std::hypot(velocity.x, velocity.y);
+}
+
 // "1   0.0512 s   cue meets 1", as many as have numbers and fit.
 void draw_events(Canvas& canvas, Lines& lines, const Run& run, std::size_t numbered) {
     constexpr double kSize = 12;
@@ -133,7 +160,11 @@ void draw_events(Canvas& canvas, Lines& lines, const Run& run, std::size_t numbe
     lines.space(8);
     for (std::size_t i = 0; i < std::min(numbered, room); ++i) {
         const Event& event = run.events[i];
-        const auto [ball, other] = run.ids(event);
+        auto [ball, other] = run.ids(event);
+        // Of two balls, the faster one is said to meet the other.
+        if (event.kind == EventKind::ball_ball && speed_before(event, 1) > speed_before(event, 0)) {
+            std::swap(ball, other);
+        }
         lines.space(kLine);
         const Point at = lines.at();
         canvas.text({at.x + 18, at.y}, kSize, std::to_string(i + 1),
@@ -150,9 +181,11 @@ void draw_events(Canvas& canvas, Lines& lines, const Run& run, std::size_t numbe
 void draw_panel(Canvas& canvas, const Picture& picture, const Panel& panel, const Run* run,
                 const PathsAndContacts& drawn) {
     Lines lines(canvas, panel);
+    const std::string balls = key_to_balls(picture.scene);
     if (run == nullptr) {
         lines.text(18, counted(picture.scene.balls.size(), "ball") + " at the start",
                    "fill=\"#222222\" font-weight=\"bold\"");
+        lines.paragraph(12, balls, kGrey);
         draw_scale_bar(canvas, picture.view, lines, panel.width);
         return;
     }
@@ -161,8 +194,8 @@ void draw_panel(Canvas& canvas, const Picture& picture, const Panel& panel, cons
                    std::string(words(run->status)),
                "fill=\"#222222\" font-weight=\"bold\"");
     for (const std::string& key :
-         {key_to_picture(*run, drawn), key_to_numbers(*run, drawn.contacts)}) {
-        if (!key.empty()) lines.text(12, key, kGrey);
+         {key_to_picture(*run, drawn), key_to_numbers(*run, drawn.contacts), balls}) {
+        lines.paragraph(12, key, kGrey);
     }
     draw_scale_bar(canvas, picture.view, lines, panel.width);
     draw_events(canvas, lines, *run, drawn.contacts.numbered);

@@ -1,3 +1,5 @@
+#include <algorithm>
+
 #include "io/svg/draw.hpp"
 
 namespace osculo::io::svg {
@@ -5,7 +7,9 @@ namespace {
 
 // More pieces than this only fill the picture.
 constexpr std::size_t kMostPieces = 3'000;
-constexpr std::size_t kManyPieces = 400;
+constexpr std::size_t kThinPieces = 400;
+// A parabola is drawn as so many chords.
+constexpr int kChords = 24;
 
 // Path data of one ball's visible pieces; pieces that follow each other share their points.
 void draw_path(Canvas& canvas, const View& view, const Run& run,
@@ -18,36 +22,41 @@ void draw_path(Canvas& canvas, const View& view, const Run& run,
     for (const std::size_t index : pieces) {
         const Piece& piece = run.pieces[index];
         const double duration = piece.to - piece.from;
-        const Point from = view(piece.position);
-        const Point to = view({piece.position.x + piece.velocity.x * duration,
-                               piece.position.y + piece.velocity.y * duration});
-        const auto visible = view.visible(from, to);
-        if (!visible) {
-            flush();
-            continue;
+        const auto place = [&](double t) {
+            return view({piece.position.x + t * (piece.velocity.x + t * piece.acceleration.x / 2),
+                         piece.position.y + t * (piece.velocity.y + t * piece.acceleration.y / 2)});
+        };
+        const int chords = piece.acceleration == Point{} ? 1 : kChords;
+        for (int k = 0; k < chords; ++k) {
+            const Point from = place(duration * k / chords);
+            const Point to = place(duration * (k + 1) / chords);
+            const auto visible = view.visible(from, to);
+            if (!visible) {
+                flush();
+                continue;
+            }
+            if (stretch.empty() || visible->first != from) {
+                flush();
+                stretch.push_back(visible->first);
+            }
+            stretch.push_back(visible->second);
+            if (visible->second != to) flush();
         }
-        if (stretch.empty() || visible->first != from) {
-            flush();
-            stretch.push_back(visible->first);
-        }
-        stretch.push_back(visible->second);
-        if (visible->second != to) flush();
     }
     flush();
 }
 
-}  // namespace
-
-bool draw_paths(Canvas& canvas, const Picture& picture, const Run& run) {
-    if (run.pieces.size() > kMostPieces) return false;
+// One path per ball, of the pieces that begin in that part of the time.
+void draw_stage(Canvas& canvas, const Picture& picture, const Run& run, std::size_t stage,
+                std::size_t stages) {
     std::vector<std::vector<std::size_t>> pieces_of(picture.scene.balls.size());
     for (std::size_t i = 0; i < run.pieces.size(); ++i) {
         const Piece& piece = run.pieces[i];
-        if (piece.velocity != Point{}) pieces_of[piece.ball].push_back(i);
+        const double share = run.time > 0 ? piece.from / run.time : 0;  // of the time gone by
+        const auto begins_in =
+            std::min(static_cast<std::size_t>(share * static_cast<double>(stages)), stages - 1);
+        if (begins_in == stage && piece.velocity != Point{}) pieces_of[piece.ball].push_back(i);
     }
-    canvas.raw("<g fill=\"none\" stroke-linejoin=\"round\" ");
-    canvas.raw(run.pieces.size() > kManyPieces ? "stroke-width=\"1\" stroke-opacity=\"0.5\">\n"
-                                               : "stroke-width=\"1.8\" stroke-opacity=\"0.85\">\n");
     for (std::size_t ball = 0; ball < pieces_of.size(); ++ball) {
         if (pieces_of[ball].empty()) continue;
         canvas.raw("<path stroke=\"");
@@ -56,7 +65,29 @@ bool draw_paths(Canvas& canvas, const Picture& picture, const Run& run) {
         draw_path(canvas, picture.view, run, pieces_of[ball]);
         canvas.raw("\"/>\n");
     }
-    canvas.raw("</g>\n");
+}
+
+}  // namespace
+
+bool paths_fade(const Run& run) {
+    constexpr std::size_t kManyPieces = 100;
+    return run.pieces.size() > kManyPieces;
+}
+
+bool draw_paths(Canvas& canvas, const Picture& picture, const Run& run) {
+    if (run.pieces.size() > kMostPieces) return false;
+    const std::size_t stages = paths_fade(run) ? 5 : 1;
+    const double width = run.pieces.size() > kThinPieces ? 1 : 1.8;  // [px]
+    // The earliest last: they lie on top.
+    for (std::size_t stage = stages; stage-- > 0;) {
+        canvas.raw("<g fill=\"none\" stroke-linejoin=\"round\" stroke-width=\"");
+        canvas.number(width);
+        canvas.raw("\" stroke-opacity=\"");
+        canvas.number(0.9 - 0.14 * static_cast<double>(stage));
+        canvas.raw("\">\n");
+        draw_stage(canvas, picture, run, stage, stages);
+        canvas.raw("</g>\n");
+    }
     return true;
 }
 

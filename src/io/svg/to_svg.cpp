@@ -9,6 +9,7 @@ namespace {
 
 using namespace svg;
 
+constexpr double kWidth = 1200;       // [px] in which everything is drawn, then scaled
 constexpr double kMargin = 24;        // [px] around everything
 constexpr double kPanelHeight = 130;  // [px] below a wide picture
 constexpr double kPanelShare = 0.4;   // of the width, beside a tall picture
@@ -20,7 +21,7 @@ struct Layout {
     Panel panel;
 };
 
-Layout layout_of(Box box, double width) {
+Layout layout_of(Box box) {
     // Nothing is so thin that it cannot be seen.
     constexpr double kThinnest = 0.2;
     const double larger = std::max(box.width(), box.height());
@@ -34,7 +35,7 @@ Layout layout_of(Box box, double width) {
         box.left -= add;
         box.right += add;
     }
-    const double inner = width - 2 * kMargin;
+    const double inner = kWidth - 2 * kMargin;
     const double aspect = box.height() / box.width();
     constexpr double kTall = 1.2;
     if (aspect > kTall) {  // words to the right
@@ -43,7 +44,7 @@ Layout layout_of(Box box, double width) {
         const double panel_left = 2 * kMargin + frame_width;
         return {frame_height + 2 * kMargin,
                 View(box, {kMargin, kMargin}, frame_width, frame_height),
-                {{panel_left, kMargin}, width - panel_left - kMargin, frame_height}};
+                {{panel_left, kMargin}, kWidth - panel_left - kMargin, frame_height}};
     }
     const double frame_height = inner * aspect;
     return {frame_height + kPanelHeight + 2 * kMargin,
@@ -55,15 +56,16 @@ std::string draw(const Scene& scene, const Run* run, const SvgOptions& options) 
     const Outline outline = outline_of(scene);
     Box box = extent(scene, run);
     if (!outline.bed.empty()) box = outline.frame;
+    const Layout layout = layout_of(box);
     const double width =
-        std::isfinite(options.width) ? std::clamp(options.width, 200.0, 1e5) : 1200;
-    const Layout layout = layout_of(box, width);
+        std::isfinite(options.width) ? std::clamp(options.width, 10.0, 1e5) : kWidth;
     const Look look = look_of(scene);
     const std::vector<BallColor> colors = ball_colors(scene, look);
     const Picture picture{scene, look, colors, layout.view};
 
-    Canvas canvas(width, layout.height, run == nullptr ? "osculo scene" : "osculo run");
-    canvas.rectangle({0, 0}, width, layout.height, "fill=\"#ffffff\"");
+    Canvas canvas(kWidth, layout.height, width / kWidth,
+                  run == nullptr ? "osculo scene" : "osculo run");
+    canvas.rectangle({0, 0}, kWidth, layout.height, "fill=\"#ffffff\"");
     draw_table(canvas, picture, outline);
     PathsAndContacts drawn{};
     if (run == nullptr) {
@@ -87,7 +89,13 @@ std::string to_svg(const Scene& scene, const SvgOptions& options) {
 }
 
 std::string to_svg(const Run& run, const SvgOptions& options) {
-    return draw(run.scene, &run, options);
+    const auto is_transition = [](const Event& event) {
+        return event.kind == EventKind::transition;
+    };
+    if (std::ranges::none_of(run.events, is_transition)) return draw(run.scene, &run, options);
+    Run contacts = run;  // what is numbered and listed
+    std::erase_if(contacts.events, is_transition);
+    return draw(contacts.scene, &contacts, options);
 }
 
 }  // namespace osculo::io

@@ -1,0 +1,124 @@
+#include "io/read_laws.hpp"
+
+namespace osculo::io {
+namespace {
+
+using Names = std::string_view[];
+
+// The law must be given, and available, before anything is said about the members it brings along.
+std::size_t law_of(const Value& value, std::span<const std::string_view> available,
+                   std::span<const std::string_view> planned) {
+    const std::optional<Value> law = value.member("law");
+    if (!law) throw SceneError(value.path() + ".law", "must be given", "missing");
+    return choice(*law, available, planned);
+}
+
+// A member that may be left out.
+void take(const Fields& fields, std::string_view name, double& number) {
+    if (const auto value = fields.find(name)) number = value->number();
+}
+
+BallBallImpact read_ball_ball(const Value& value) {
+    static constexpr Names kLaws{"restitution", "frictional"};
+    static constexpr Names kRestitution{"law", "restitution"};
+    static constexpr Names kFrictional{"law", "restitution", "friction"};
+    BallBallImpact result;
+    if (law_of(value, kLaws, {}) == 0) {
+        take(Fields(value, kRestitution), "restitution", result.restitution);
+        return result;
+    }
+    const Fields fields(value, kFrictional);
+    result.law = BallBallLaw::frictional;
+    take(fields, "restitution", result.restitution);
+    // A number, or the three coefficients of a + b exp(-c u).
+    const Value friction = fields.require("friction");
+    if (friction.kind() == NodeKind::array) {
+        result.friction = friction.numbers<3>();
+    } else {
+        result.friction[0] = friction.number();
+    }
+    return result;
+}
+
+CushionImpact read_ball_cushion(const Value& value) {
+    static constexpr Names kLaws{"restitution", "han_2005"};
+    static constexpr Names kPlanned{"mathavan_2010", "stronge"};
+    static constexpr CushionLaw kValues[]{CushionLaw::restitution, CushionLaw::han_2005};
+    static constexpr Names kRestitution{"law", "restitution"};
+    static constexpr Names kFriction{"law", "restitution", "friction", "height"};
+    CushionImpact result;
+    result.law = kValues[law_of(value, kLaws, kPlanned)];
+    if (result.law == CushionLaw::restitution) {
+        take(Fields(value, kRestitution), "restitution", result.restitution);
+        return result;
+    }
+    const Fields fields(value, kFriction);
+    take(fields, "restitution", result.restitution);
+    result.friction = fields.require("friction").number();
+    result.height = fields.require("height").number();
+    return result;
+}
+
+}  // namespace
+
+MotionLaw read_motion(const Value& value) {
+    static constexpr Names kLaws{"uniform", "rolling", "cloth"};
+    static constexpr Names kPlanned{"resisted"};
+    static constexpr Names kUniform{"law"};
+    static constexpr Names kRolling{"law", "friction"};
+    static constexpr Names kCloth{"law", "sliding_friction", "rolling_friction",
+                                  "spinning_friction"};
+    const std::size_t law = law_of(value, kLaws, kPlanned);
+    if (law == 1) {
+        RollingMotion rolling;
+        take(Fields(value, kRolling), "friction", rolling.friction);
+        return rolling;
+    }
+    if (law == 2) {
+        const Fields fields(value, kCloth);
+        ClothMotion cloth;
+        take(fields, "sliding_friction", cloth.sliding_friction);
+        take(fields, "rolling_friction", cloth.rolling_friction);
+        take(fields, "spinning_friction", cloth.spinning_friction);
+        return cloth;
+    }
+    const Fields fields(value, kUniform);
+    return UniformMotion{};
+}
+
+Impacts read_impacts(const Value& value) {
+    static constexpr Names kSimultaneous{"sequential"};
+    static constexpr Names kPlannedSimultaneous{"symmetric"};
+    static constexpr Names kKeys{"ball_ball", "ball_cushion", "simultaneous", "contact_time"};
+    const Fields fields(value, kKeys);
+    Impacts result;
+    if (const auto law = fields.find("ball_ball")) result.ball_ball = read_ball_ball(*law);
+    if (const auto law = fields.find("ball_cushion")) {
+        result.ball_cushion = read_ball_cushion(*law);
+    }
+    if (const auto law = fields.find("simultaneous")) {
+        choice(*law, kSimultaneous, kPlannedSimultaneous);
+        result.simultaneous = Simultaneous::sequential;
+    }
+    take(fields, "contact_time", result.contact_time);
+    return result;
+}
+
+Cue read_cue(const Value& value) {
+    static constexpr Names kKeys{"ball", "speed",    "azimuth",     "elevation",   "offset",
+                                 "mass", "end_mass", "restitution", "miscue_limit"};
+    const Fields fields(value, kKeys);
+    Cue cue;
+    cue.ball = fields.require("ball").text();
+    cue.speed = fields.require("speed").number();
+    cue.azimuth = fields.require("azimuth").number();
+    take(fields, "elevation", cue.elevation);
+    if (const auto offset = fields.find("offset")) cue.offset = offset->numbers<2>();
+    take(fields, "mass", cue.mass);
+    take(fields, "end_mass", cue.end_mass);
+    take(fields, "restitution", cue.restitution);
+    take(fields, "miscue_limit", cue.miscue_limit);
+    return cue;
+}
+
+}  // namespace osculo::io

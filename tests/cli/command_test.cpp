@@ -1,0 +1,165 @@
+#include <gtest/gtest.h>
+
+#include "osculo/io.hpp"
+#include "osculo/presets.hpp"
+#include "osculo/simulate.hpp"
+#include "osculo/version.hpp"
+#include "process.hpp"
+
+// What each command does when all is well.
+namespace osculo::cli::test {
+namespace {
+
+using io::run_to_json;
+using io::scene_to_json;
+
+bool contains(const std::string& text, const std::string& what) {
+    return text.find(what) != std::string::npos;
+}
+
+TEST(Help, IsThereForEveryCommandWithAnExample) {
+    const Result help = osculo({"--help"});
+    EXPECT_EQ(help.code, 0);
+    EXPECT_EQ(help.err, "");
+    for (const char* command : {"run", "render", "validate", "explain", "expand", "presets"}) {
+        EXPECT_TRUE(contains(help.out, std::string("\n  ") + command)) << command;
+        const Result own = osculo({command, "--help"});
+        EXPECT_EQ(own.code, 0);
+        EXPECT_TRUE(contains(own.out, std::string("\n  osculo ") + command)) << own.out;
+    }
+}
+
+TEST(Version, IsThatOfTheLibrary) {
+    const Result result = osculo({"--version"});
+    EXPECT_EQ(result.code, 0);
+    EXPECT_EQ(result.out, std::string("osculo ") + kVersion + '\n');
+}
+
+TEST(Run, PrintsASummary) {
+    const Result result = osculo({"run", "preset:break"});
+    EXPECT_EQ(result.code, 0);
+    EXPECT_EQ(result.err, "");
+    EXPECT_TRUE(result.out.starts_with("preset:break: time limit reached at 10 s, after "));
+    for (const char* part : {"\n  status    time_limit\n", "\n  events    ", " ball_ball, ",
+                             "\n  captured  ", " pocket-", "\n  energy    ", "\n  engine    "}) {
+        EXPECT_TRUE(contains(result.out, part)) << part << result.out;
+    }
+    EXPECT_FALSE(contains(result.out, "audit"));
+    EXPECT_TRUE(contains(osculo({"run", "preset:break", "--audit"}).out, "\n  audit     clean\n"));
+    EXPECT_EQ(osculo({"run", "preset:break", "--quiet"}).out, "");
+}
+
+TEST(Run, WritesWhatTheLibraryComputes) {
+    const TemporaryDirectory directory;
+    const std::string json = directory / "run.json";
+    const std::string svg = directory / "shot.svg";
+    const Result result = osculo({"run", "preset:carom", "-o", json, "--svg", svg});
+    EXPECT_EQ(result.code, 0);
+    const osculo::Run expected = simulate(presets::make("carom"));
+    EXPECT_EQ(content_of(json), run_to_json(expected));
+    EXPECT_EQ(content_of(svg), io::to_svg(expected));
+    EXPECT_EQ(directory.file_count(), 2U);
+}
+
+TEST(Run, ReadsStdinAndWritesStdout) {
+    const Result result = osculo({"run", "-", "-o", "-"}, scene_to_json(presets::make("cradle")));
+    EXPECT_EQ(result.code, 0);
+    EXPECT_EQ(result.out, run_to_json(simulate(presets::make("cradle"))));
+    EXPECT_TRUE(result.err.starts_with("-: time limit reached"));
+    EXPECT_EQ(osculo({"run", "preset:cradle", "-o", "-", "--quiet"}).err, "");
+    EXPECT_TRUE(osculo({"run", "preset:cradle", "--svg", "-"}).out.starts_with("<svg"));
+}
+
+TEST(Run, TakesItsOptions) {
+    const auto run_with = [](std::vector<std::string> options) {
+        options.insert(options.begin(), {"run", "preset:break", "-o", "-", "-q"});
+        return io::run_from_json(osculo(options).out);
+    };
+    EXPECT_EQ(run_with({"--time", "0.5"}).time, 0.5);
+    EXPECT_EQ(run_with({"--events", "7"}).event_count, 7U);
+    EXPECT_TRUE(run_with({"--record", "none"}).events.empty());
+    EXPECT_FALSE(run_with({"--record", "events"}).events.empty());
+    EXPECT_TRUE(run_with({"--record", "events"}).pieces.empty());
+    EXPECT_FALSE(run_with({}).pieces.empty());
+    EXPECT_TRUE(run_with({"--audit"}).audit->clean);
+    for (const char* precision : {"double", "extended", "quad", "50", "100"}) {
+        const osculo::Run run = run_with({"--precision", precision, "--time", "0.2"});
+        EXPECT_TRUE(contains(run.engine.name, precision)) << run.engine.name;
+    }
+}
+
+TEST(Run, ExitCodeSaysHowItEnded) {
+    EXPECT_EQ(osculo({"run", "preset:gas", "--time", "0.01"}).code, 0);
+    const Result early = osculo({"run", "preset:gas", "--events", "10"});
+    EXPECT_EQ(early.code, 1);
+    EXPECT_TRUE(contains(early.out, "event limit reached"));
+
+    Scene still = presets::make("cradle");
+    still.balls[0].velocity = {};
+    EXPECT_EQ(osculo({"run", "-"}, scene_to_json(still)).code, 0);
+}
+
+TEST(Render, DrawsScenesAndRuns) {
+    const Scene scene = presets::make("carom");
+    EXPECT_EQ(osculo({"render", "-"}, scene_to_json(scene)).out, io::to_svg(scene));
+    const osculo::Run run = simulate(scene);
+    EXPECT_EQ(osculo({"render", "-"}, run_to_json(run)).out, io::to_svg(run));
+    EXPECT_EQ(osculo({"render", "preset:carom", "--width", "640"}).out,
+              io::to_svg(scene, {.width = 640}));
+}
+
+TEST(Validate, SaysWhatIsInTheScene) {
+    const Result result = osculo({"validate", "preset:break"});
+    EXPECT_EQ(result.code, 0);
+    EXPECT_EQ(result.out, "preset:break: valid: 16 balls, 18 segments, 12 arcs, 6 rims\n");
+}
+
+TEST(Explain, NamesTheEngineAndWhatItLeavesOut) {
+    const Result result = osculo({"explain", "preset:gas", "--record", "none"});
+    EXPECT_EQ(result.code, 0);
+    const EngineInfo engine = choose_engine(presets::make("gas"), {.record = Record::none});
+    EXPECT_TRUE(contains(result.out, "\n  engine    " + engine.name + '\n')) << result.out;
+    for (const std::string& reason : engine.left_out) EXPECT_TRUE(contains(result.out, reason));
+}
+
+TEST(Expand, SpellsOutTableAndRack) {
+    const std::string text =
+        R"({"schema": "osculo/scene-1", "table": "pool-7ft", "rack": "eight-ball"})";
+    const Result result = osculo({"expand", "-"}, text);
+    EXPECT_EQ(result.code, 0);
+    EXPECT_EQ(result.out, scene_to_json(io::scene_from_json(text)));
+}
+
+TEST(Presets, AreListedAndWritten) {
+    const Result list = osculo({"presets"});
+    EXPECT_EQ(list.code, 0);
+    for (const presets::Info& info : presets::list()) {
+        EXPECT_TRUE(contains(list.out, std::string(info.name))) << info.name;
+        const Result one = osculo({"presets", std::string(info.name)});
+        EXPECT_EQ(one.out, scene_to_json(presets::make(info.name)));
+    }
+    const Result gas = osculo({"presets", "gas", "--balls", "12", "--packing", "0.5", "--speed",
+                               "2", "--restitution", "0.9", "--seed", "3"});
+    EXPECT_EQ(
+        gas.out,
+        scene_to_json(presets::make(
+            "gas", {.balls = 12, .packing = 0.5, .speed = 2.0, .restitution = 0.9, .seed = 3})));
+    EXPECT_EQ(osculo({"presets", "pi", "--digits", "2"}).out,
+              scene_to_json(presets::make("pi", {.digits = 2})));
+    EXPECT_EQ(osculo({"presets", "break", "--gap", "0"}).out,
+              scene_to_json(presets::make("break", {.gap = 0.0})));
+}
+
+TEST(Msgpack, IsChosenByTheEndingOfTheName) {
+    const TemporaryDirectory directory;
+    const std::string scene = directory / "scene.msgpack";
+    const std::string run = directory / "run.msgpack";
+    EXPECT_EQ(osculo({"presets", "carom", "-o", scene}).code, 0);
+    EXPECT_EQ(osculo({"run", scene, "-o", run}).code, 0);
+    const osculo::Run expected = simulate(presets::make("carom"));
+    EXPECT_EQ(content_of(run), io::msgpack_from_json(run_to_json(expected)));
+    EXPECT_EQ(osculo({"render", run}).out, io::to_svg(expected));
+}
+
+}  // namespace
+}  // namespace osculo::cli::test

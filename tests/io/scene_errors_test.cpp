@@ -1,0 +1,172 @@
+#include <gtest/gtest.h>
+
+#include "osculo/io.hpp"
+
+namespace osculo::io {
+namespace {
+
+// What reading the text throws.
+std::string error_of(const std::string& text) {
+    try {
+        static_cast<void>(scene_from_json(text));
+        return "no error";
+    } catch (const SceneError& error) {
+        EXPECT_EQ(std::string(error.what()).find('\n'), std::string::npos);
+        return error.what();
+    } catch (const FormatError& error) {
+        EXPECT_EQ(std::string(error.what()).find('\n'), std::string::npos);
+        return std::string("format: ") + error.what();
+    }
+}
+
+// A valid scene with something added at the top level.
+std::string with(const std::string& members) {
+    return R"({"schema": "osculo/scene-1", )" + members + "}";
+}
+
+// A valid ball with something added or left out.
+std::string with_ball(const std::string& members) {
+    return with(R"("balls": [{"id": "a", "mass": 1, "radius": 1, "position": [9, 9]}, {)" +
+                members + "}]");
+}
+
+struct Case {
+    std::string text;
+    std::string error;
+};
+
+void check(const std::vector<Case>& cases) {
+    for (const Case& each : cases) EXPECT_EQ(error_of(each.text), each.error) << each.text;
+}
+
+TEST(SceneErrors, UnknownAndRepeatedKeys) {
+    const std::string ball = R"("id": "b", "mass": 1, "radius": 1, "position": [0, 0], )";
+    check({
+        {with_ball(ball + R"("velocty": [1, 1])"),
+         "balls[1].velocty: unknown key, did you mean velocity?"},
+        {with_ball(ball + R"("colour": "red")"), "balls[1].colour: unknown key"},
+        {with_ball(ball + R"("mass": 2)"),
+         "balls[1].mass: must be given once, but it is given twice"},
+        {with(R"("bals": [])"), "bals: unknown key, did you mean balls?"},
+        {with(R"("schema": "osculo/scene-1")"),
+         "schema: must be given once, but it is given twice"},
+        {with(R"("limits": {"time": 1, "evnts": 3})"),
+         "limits.evnts: unknown key, did you mean events?"},
+        {with(R"("motion": {"law": "uniform", "friction": 0.1})"), "motion.friction: unknown key"},
+        {with(R"("new\nline": 1)"), "new?line: unknown key"},
+    });
+}
+
+TEST(SceneErrors, WrongTypes) {
+    const std::string ball = R"("id": "b", "radius": 1, "position": [0, 0], "mass": )";
+    check({
+        {"[]", "scene: must be an object, but it is an array of length 0"},
+        {"3", "scene: must be an object, but it is 3"},
+        {with(R"("balls": {})"), "balls: must be an array, but it is an object"},
+        {with(R"("balls": [[]])"), "balls[0]: must be an object, but it is an array of length 0"},
+        {with_ball(ball + R"("1")"), "balls[1].mass: must be a number, but it is \"1\""},
+        {with_ball(ball + R"("nan")"), "balls[1].mass: must be a number, but it is \"nan\""},
+        {with_ball(ball + "null"), "balls[1].mass: must be a number, but it is null"},
+        {with_ball(ball + "true"), "balls[1].mass: must be a number, but it is true"},
+        {with_ball(R"("id": 7, "mass": 1, "radius": 1, "position": [0, 0])"),
+         "balls[1].id: must be a text, but it is 7"},
+        {with_ball(R"("id": "b", "mass": 1, "radius": 1, "position": [0])"),
+         "balls[1].position: must be an array of 2 numbers, but it is an array of length 1"},
+        {with_ball(R"("id": "b", "mass": 1, "radius": 1, "position": [0, "1"])"),
+         "balls[1].position[1]: must be a number, but it is \"1\""},
+        {with_ball(R"("id": "b", "mass": 1, "radius": 1, "position": [0, 0], "spin": [1, 2])"),
+         "balls[1].spin: must be an array of 3 numbers, but it is an array of length 2"},
+        {with(R"("closed": 1)"), "closed: must be true or false, but it is 1"},
+        {with(R"("table": 3)"), "table: must be a text, but it is 3"},
+    });
+}
+
+TEST(SceneErrors, WholeNumbersOutOfRange) {
+    const std::string rule =
+        "limits.events: must be a whole number from 0 to 18446744073709551615, but it is ";
+    check({
+        {with(R"("limits": {"events": -1})"), rule + "-1"},
+        {with(R"("limits": {"events": 1.5})"), rule + "1.5"},
+        {with(R"("limits": {"events": 18446744073709551616})"), rule + "18446744073709551616"},
+        {with(R"("limits": {"events": 1e300})"), rule + "1e+300"},
+    });
+}
+
+TEST(SceneErrors, MissingKeys) {
+    check({
+        {"{}", "schema: must be given, but it is missing"},
+        {with_ball(R"("mass": 1, "radius": 1, "position": [0, 0])"),
+         "balls[1].id: must be given, but it is missing"},
+        {with_ball(R"("id": "b", "radius": 1, "position": [0, 0])"),
+         "balls[1].mass: must be given, but it is missing"},
+        {with_ball(R"("id": "b", "mass": 1, "position": [0, 0])"),
+         "balls[1].radius: must be given, but it is missing"},
+        {with_ball(R"("id": "b", "mass": 1, "radius": 1)"),
+         "balls[1].position: must be given, but it is missing"},
+        {with(R"("motion": {})"), "motion.law: must be given, but it is missing"},
+        {with(R"("impacts": {"ball_ball": {}})"),
+         "impacts.ball_ball.law: must be given, but it is missing"},
+        {with(R"("segments": [{"id": "s", "from": [0, 0]}])"),
+         "segments[0].to: must be given, but it is missing"},
+        {with(R"("arcs": [{"id": "c", "center": [0, 0], "radius": 1, "from_angle": 1}])"),
+         "arcs[0].to_angle: must be given, but it is missing"},
+        {with(R"("rims": [{"id": "r", "center": [0, 0]}])"),
+         "rims[0].radius: must be given, but it is missing"},
+        {with(R"("table": "pool-7ft", "rack": {"gap": 0})"),
+         "rack.name: must be given, but it is missing"},
+    });
+}
+
+TEST(SceneErrors, UnknownLawsAndNames) {
+    check({
+        {R"({"schema": "osculo/scene-2", "bals": []})",
+         "schema: must be osculo/scene-1, but it is \"osculo/scene-2\""},
+        {R"({"schema": "osculo/run-1"})",
+         "schema: must be osculo/scene-1, but it is \"osculo/run-1\""},
+        {with(R"("motion": {"law": "cloth", "sliding_friction": 0.2})"),
+         "motion.law: must be uniform (rolling, resisted and cloth are not available yet), "
+         "but it is \"cloth\""},
+        {with(R"("motion": {"law": "unifrom"})"),
+         "motion.law: must be uniform (rolling, resisted and cloth are not available yet), "
+         "but it is \"unifrom\""},
+        {with(R"("impacts": {"ball_ball": {"law": "frictional", "friction": 0.05}})"),
+         "impacts.ball_ball.law: must be restitution (frictional is not available yet), "
+         "but it is \"frictional\""},
+        {with(R"("impacts": {"ball_cushion": {"law": "han_2005"}})"),
+         "impacts.ball_cushion.law: must be restitution (han_2005, mathavan_2010 and stronge are "
+         "not available yet), but it is \"han_2005\""},
+        {with(R"("impacts": {"simultaneous": "symmetric"})"),
+         "impacts.simultaneous: must be sequential (symmetric is not available yet), "
+         "but it is \"symmetric\""},
+        {with(R"("rims": [{"id": "r", "center": [0, 0], "radius": 1, "law": "paper"}])"),
+         "rims[0].law: must be capture (paper and tipping are not available yet), "
+         "but it is \"paper\""},
+        {with(R"("segments": [{"id": "s", "from": [0, 0], "to": [1, 0], "side": "right"}])"),
+         "segments[0].side: must be left or both, but it is \"right\""},
+        {with(R"("table": "pool-9ft")"),
+         "table: must be \"pool-7ft\" or \"carom-10ft\", did you mean pool-7ft?, but it is "
+         "\"pool-9ft\""},
+        {with(R"("rack": "eight-ball")"),
+         "rack: needs a pool table to stand on, but it is \"eight-ball\" without one"},
+        {with(R"("table": "pool-7ft", "rack": {"name": "eight-ball", "gap": -1})"),
+         "rack.gap: must be from 0 to 0.028575, but it is -1"},
+    });
+}
+
+TEST(SceneErrors, RulesOfScenesAreCheckedToo) {
+    EXPECT_EQ(error_of(with_ball(R"("id": "b", "mass": -1, "radius": 1, "position": [0, 0])")),
+              "balls[1].mass: must be > 0, but it is -1");
+    EXPECT_THROW(static_cast<void>(scene_from_json(
+                     with_ball(R"("id": "a", "mass": 1, "radius": 1, "position": [0, 0])"))),
+                 SceneError);
+}
+
+TEST(SceneErrors, LongTextsAreCutShort) {
+    const std::string error = error_of(with(R"("table": ")" + std::string(100'000, 'x') + '"'));
+    EXPECT_NE(error, "no error");
+    const std::string key_error = error_of(with('"' + std::string(100'000, 'x') + R"(": 1)"));
+    EXPECT_LT(key_error.size(), 200U);
+}
+
+}  // namespace
+}  // namespace osculo::io

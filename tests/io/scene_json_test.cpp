@@ -1,0 +1,102 @@
+#include <gtest/gtest.h>
+
+#include "osculo/io.hpp"
+#include "osculo/presets.hpp"
+#include "random_scene.hpp"
+
+namespace osculo::io {
+namespace {
+
+TEST(SceneJson, RoundTripIsTheIdentity) {
+    for (std::uint64_t seed = 0; seed < 500; ++seed) {
+        const Scene scene = test::random_scene(seed);
+        const std::string text = scene_to_json(scene);
+        ASSERT_EQ(scene_from_json(text), scene) << text;
+        // Equality takes -0 for 0; the text does not.
+        ASSERT_EQ(scene_to_json(scene_from_json(text)), text);
+    }
+}
+
+TEST(SceneJson, RoundTripOfPresets) {
+    for (const presets::Info& info : presets::list()) {
+        const Scene scene = presets::make(info.name);
+        EXPECT_EQ(scene_from_json(scene_to_json(scene)), scene) << info.name;
+    }
+}
+
+TEST(SceneJson, IsWrittenAsDocumented) {
+    Scene scene;
+    scene.balls.push_back({"cue", 0.17, 0.5, {0.1, -0.0}, {1e-7, 1e22}, {0, 0, -2}});
+    scene.balls.push_back({"1", 1, 0.25, {3, 2}, {}, {}});
+    scene.segments.push_back({"wall", {0, -1}, {9, -1}, Side::left});
+    scene.arcs.push_back({"peg", {5, 5}, 0.3, 0, 1.5});
+    scene.rims.push_back({"hole", {-4, 0}, 1, RimLaw::capture});
+    scene.impacts.ball_cushion.restitution = 0.85;
+    scene.limits = {2.5, 100};
+    EXPECT_EQ(scene_to_json(scene), R"({
+  "schema": "osculo/scene-1",
+  "motion": {"law": "uniform"},
+  "gravity": 9.81,
+  "balls": [
+    {"id": "cue", "mass": 0.17, "radius": 0.5, "position": [0.1, -0.0], "velocity": [1e-07, 1e+22], "spin": [0, 0, -2]},
+    {"id": "1", "mass": 1, "radius": 0.25, "position": [3, 2], "velocity": [0, 0]}
+  ],
+  "segments": [
+    {"id": "wall", "from": [0, -1], "to": [9, -1], "side": "left"}
+  ],
+  "arcs": [
+    {"id": "peg", "center": [5, 5], "radius": 0.3, "from_angle": 0, "to_angle": 1.5}
+  ],
+  "rims": [
+    {"id": "hole", "center": [-4, 0], "radius": 1, "law": "capture"}
+  ],
+  "impacts": {"ball_ball": {"law": "restitution", "restitution": 1}, "ball_cushion": {"law": "restitution", "restitution": 0.85}, "simultaneous": "sequential"},
+  "closed": false,
+  "limits": {"time": 2.5, "events": 100}
+}
+)");
+}
+
+TEST(SceneJson, LeavesDefaultsToTheReader) {
+    const Scene scene = scene_from_json(R"({"schema": "osculo/scene-1",
+        "balls": [{"id": "a", "mass": 2, "radius": 1, "position": [0, 0]}],
+        "segments": [{"id": "s", "from": [5, 0], "to": [5, 5]}],
+        "arcs": [{"id": "c", "center": [-5, 0], "radius": 1}],
+        "rims": [{"id": "r", "center": [0, -9], "radius": 1}]})");
+    Scene expected;
+    expected.balls.push_back({"a", 2, 1, {0, 0}, {}, {}});
+    expected.segments.push_back({"s", {5, 0}, {5, 5}, Side::both});
+    expected.arcs.push_back({"c", {-5, 0}, 1});
+    expected.rims.push_back({"r", {0, -9}, 1, RimLaw::capture});
+    EXPECT_EQ(scene, expected);
+}
+
+TEST(SceneJson, WholeNumbersMayHaveExponents) {
+    const Scene scene = scene_from_json(
+        R"({"schema": "osculo/scene-1", "limits": {"events": 1e6},
+            "balls": [{"id": "a", "mass": 1, "radius": 1, "position": [0, 0]}]})");
+    EXPECT_EQ(scene.limits.events, 1'000'000U);
+}
+
+TEST(SceneJson, ExpandsTableAndRackAndAppendsBalls) {
+    const Scene scene = scene_from_json(R"({"schema": "osculo/scene-1",
+        "table": "pool-7ft", "rack": {"name": "eight-ball", "gap": 0.001},
+        "balls": [{"id": "cue", "mass": 0.17, "radius": 0.028, "position": [0.5, 0.5]}]})");
+    Scene expected;
+    presets::add_table(expected, "pool-7ft");
+    presets::add_rack(expected, "eight-ball", 0.001);
+    ASSERT_EQ(scene.balls.size(), 16U);
+    EXPECT_EQ(scene.balls[15].id, "cue");
+    EXPECT_EQ(scene.balls[3], expected.balls[3]);
+    EXPECT_EQ(scene.segments, expected.segments);
+    EXPECT_TRUE(scene.closed);
+
+    const Scene tight = scene_from_json(
+        R"({"schema": "osculo/scene-1", "table": "pool-7ft", "rack": "eight-ball",
+            "closed": false})");
+    EXPECT_EQ(tight.balls[1].position.x, expected.balls[0].position.x - 0.028575);
+    EXPECT_FALSE(tight.closed);
+}
+
+}  // namespace
+}  // namespace osculo::io
