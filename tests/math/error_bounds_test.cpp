@@ -33,8 +33,11 @@ TYPED_TEST(BuiltinBounds, RejectionSlackSparesEveryContactBesideTheCircle) {
             passing<S>(random.direction<S>(), s * random.unit<S>() * power_of_two<S>(-i % 4),
                        s * (1 - depth), s, random.magnitude<S>(-3, 3));
         if (!exact_entry(p)) continue;
-        EXPECT_FALSE(math::detail::certainly_beside<S>(p.c, p.b, p.s, slack)) << bits(p);
-        lost_with_a_tenth += math::detail::certainly_beside<S>(p.c, p.b, p.s, slack / 10);
+        const S size = math::norm1<S>(p.b) * math::norm1<S>(p.c);
+        EXPECT_FALSE(math::detail::certainly_beside<S>(p.c, p.b, p.s, S(slack * size), slack))
+            << bits(p);
+        lost_with_a_tenth +=
+            math::detail::certainly_beside<S>(p.c, p.b, p.s, S(slack * size / 10), S(slack / 10));
     }
     EXPECT_GT(lost_with_a_tenth, 0);
 }
@@ -47,16 +50,18 @@ TYPED_TEST(BuiltinBounds, RejectionSlackSparesEveryContactAtTheHorizon) {
     for (int i = 0; i < kCases; ++i) {
         // Head on, the bound of the time is that of a contact from far away.
         const S s = random.magnitude<S>(-40, -1);
-        const PointCase<S> p = passing<S>(random.direction<S>(), random.magnitude<S>(0, 3),
-                                          s * S(1 - random.unit<S>()), s, random.magnitude<S>(-3, 3));
+        const PointCase<S> p =
+            passing<S>(random.direction<S>(), random.magnitude<S>(0, 3),
+                       s * S(1 - random.unit<S>()), s, random.magnitude<S>(-3, 3));
         const S slope = math::accurate_dot<S>(p.b, p.c);
         const GapFunction<Exact> f(p);
         if (!exact_entry(p)) continue;
         // The bound's own instant: no contact is earlier.
         const S horizon = rounded<S>(Exact(f.gap / (-2 * f.slope)));
-        EXPECT_FALSE(math::detail::certainly_later<S>(p.c, p.s, slope, horizon, slack)) << bits(p);
+        EXPECT_FALSE(math::detail::certainly_later<S>(p.c, p.s, slope, S(0), horizon, slack))
+            << bits(p);
         lost_with_a_tenth +=
-            math::detail::certainly_later<S>(p.c, p.s, slope, horizon, S(slack / 10));
+            math::detail::certainly_later<S>(p.c, p.s, slope, S(0), horizon, S(slack / 10));
     }
     EXPECT_GT(lost_with_a_tenth, 0);
 }
@@ -81,9 +86,9 @@ TYPED_TEST(BuiltinBounds, ExactStageBeginsWhereWideArithmeticEnds) {
         const Exact band = abs(Exact(reference / (math::kExactStage * eps * exact<Exact>(most))));
         if (band > 1) worst_outside = std::max(worst_outside, error);
         if (band > 0.1) worst_at_a_tenth = std::max(worst_at_a_tenth, error);
-        EXPECT_LE(abs(Exact(exact<Exact>(math::detail::discriminant<S>(p.c, p.b, p.s)) / reference -
-                            1)),
-                  eps / 10)
+        EXPECT_LE(
+            abs(Exact(exact<Exact>(math::detail::discriminant<S>(p.c, p.b, p.s)) / reference - 1)),
+            eps / 10)
             << bits(p);
     }
     EXPECT_LE(worst_outside, eps / 10);
@@ -105,8 +110,8 @@ TYPED_TEST(AnyBounds, VelocityNoiseCoversTheClosingSpeedOfAnInelasticPair) {
         math::Vec<S> v1 = random.direction<S>() * random.magnitude<S>(-5, 5);
         math::Vec<S> v2 = random.direction<S>() * random.magnitude<S>(-5, 5);
         const S before = math::norm1<S>(v1) + math::norm1<S>(v2);
-        impact::Restitution::resolve<S>(S(0), random.magnitude<S>(-5, 5), random.magnitude<S>(-5, 5),
-                                        n, v1, v2);
+        impact::Restitution::resolve<S>(S(0), random.magnitude<S>(-5, 5),
+                                        random.magnitude<S>(-5, 5), n, v1, v2);
         const S after = math::norm1<S>(v1) + math::norm1<S>(v2);
         const R nx = exact<R>(S(n.x()));
         const R ny = exact<R>(S(n.y()));
@@ -119,11 +124,12 @@ TYPED_TEST(AnyBounds, VelocityNoiseCoversTheClosingSpeedOfAnInelasticPair) {
     EXPECT_GT(worst, R(math::kVelocityNoise) / 10);
 }
 
-/// Two balls meet as in the engine; returns the gap that rounding leaves and what it is measured by.
+/// Two balls meet as in the engine; returns the gap that rounding leaves and what it is measured
+/// by.
 template <class S, class R>
 struct Meeting {
     R gap;
-    S measured;   ///< the gap as the engine sees it
+    S measured;  ///< the gap as the engine sees it
     S reach;
     S travelled;  ///< as the engine sums it up
     bool met;
@@ -189,7 +195,8 @@ TEST(Bounds, StartOverlapCoversTouchingBallsTypedWithEightDigits) {
         const double r2 = random.uniform<double>(0.3, 1.0);
         const math::Vec<double> from = random.direction<double>() * random.unit<double>();
         const math::Vec<double> to = from + random.direction<double>() * (r1 + r2);
-        const math::Vec<double> apart(typed(to.x()) - typed(from.x()), typed(to.y()) - typed(from.y()));
+        const math::Vec<double> apart(typed(to.x()) - typed(from.x()),
+                                      typed(to.y()) - typed(from.y()));
         const double overlap = typed(r1) + typed(r2) - math::norm<double>(apart);
         worst = std::max(worst, overlap / std::min(r1, r2));
     }

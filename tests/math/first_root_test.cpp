@@ -147,35 +147,46 @@ TYPED_TEST(WiderFirstRoot, IsRightWhereItsRoundingDoesNotDecide) {
     }
 }
 
-TEST(FirstRoot, JustResolvedPairsDoNotMeetAgain) {
+/// What an impact leaves of the approach is no contact until it has become noticeable.
+TEST(FirstRoot, JustResolvedPairsMeetAgainOnlyIfTheyComeNoticeablyNearer) {
     const math::ContactHistory<double> resolved{true, 0};
-    EXPECT_FALSE(math::is_finite<double>(
-        math::first_entry<double>({1, 0}, {-1e-17, 0}, 1 + 1e-16, resolved)));
+    const double noticeable = math::kTouch * math::epsilon<double>();
+    const auto again = [&](const math::Vec<double>& c, const math::Vec<double>& b) {
+        return math::first_entry<double>(c, b, 1.0, resolved);
+    };
+    EXPECT_FALSE(math::is_finite<double>(again({1, 0}, {1e-17, 0})));
+    EXPECT_FALSE(math::is_finite<double>(again({1, 0}, {0, 1})));
+    EXPECT_FALSE(math::is_finite<double>(again({1, 0}, {-1e-17, 1})));
+    EXPECT_NEAR(noticeable / 1e-17, again({1, 0}, {-1e-17, 0}), 1e-10 * noticeable / 1e-17);
+    EXPECT_NEAR(noticeable, again({1, 0}, {-1, 0}), 1e-10 * noticeable);
 }
 
-TEST(FirstRoot, ExitAfterAContactFromInsideDividesTheRootAtZeroOut) {
+/// Back inwards from a circle around it, the contact just resolved is the other root.
+TEST(FirstRoot, ExitAfterAContactFromInsideIsTheLaterRoot) {
     Random random(kSeed + 6);
     for (int i = 0; i < kCasesPerFamily; ++i) {
-        PointCase<double> p = touching_sideways<double>(random);
+        const PointCase<double> p = touching_sideways<double>(random);
         const GapFunction<Exact> f(p);
         if (f.slope >= 0) continue;
-        const double t = math::first_exit<double>(p.c, p.b, p.s, {true, 0});
-        EXPECT_LE(error_in_ulp<double>(t, Exact(-2 * f.slope / f.quadratic)), 3.5) << bits(p);
+        const double t = math::first_exit<double>(p.c, p.b, p.s, {true, 0}, true);
+        // Without a root (outside throughout, by rounding) as if from exactly on the circle.
+        const Exact way =
+            f.discriminant > 0 ? Exact(sqrt(f.discriminant) - f.slope) : Exact(-2 * f.slope);
+        EXPECT_LE(error_in_ulp<double>(t, Exact(way / f.quadratic)), 1.0) << bits(p);
     }
 }
 
-/// Without the rule on noise a residual closing speed of rounding size is a contact.
-TEST(FirstRoot, ClosingSpeedsOfRoundingSizeAreNoContact) {
-    const double noise = 4e-16;
+/// Without the rule on noise a residual closing speed of rounding size is a contact at once.
+TEST(FirstRoot, ClosingSpeedsOfRoundingSizeAreNoContactUntilTheyAreNoticed) {
+    const math::ContactHistory<double> noisy{false, 4e-16};
     const math::Vec<double> c(1, 0);
-    const math::Vec<double> b(-1e-16, 1);
-    EXPECT_EQ(0.0, math::first_entry<double>(c, b, 1.0));
-    EXPECT_FALSE(math::is_finite<double>(math::first_entry<double>(c, b, 1.0, {false, noise})));
-    EXPECT_EQ(0.0, math::first_entry<double>(c, {-1e-15, 1}, 1.0, {false, noise}));
-    // Not touching: a contact, however slow.
-    EXPECT_GT(math::first_entry<double>({1 + 1e-12, 0}, {-1e-16, 0}, 1.0, {false, noise}), 0.0);
-    EXPECT_TRUE(math::is_finite<double>(
-        math::first_entry<double>({1 + 1e-12, 0}, {-1e-16, 0}, 1.0, {false, noise})));
+    EXPECT_EQ(0.0, math::first_entry<double>(c, {-1e-16, 0}, 1.0));
+    EXPECT_GT(math::first_entry<double>(c, {-1e-16, 0}, 1.0, noisy), 1.0);
+    EXPECT_FALSE(math::is_finite<double>(math::first_entry<double>(c, {-1e-16, 1}, 1.0, noisy)));
+    EXPECT_EQ(0.0, math::first_entry<double>(c, {-1e-15, 1}, 1.0, noisy));
+    // Not touching: a contact when they meet, however slow.
+    const double meeting = math::first_entry<double>({1 + 1e-12, 0}, {-1e-16, 0}, 1.0);
+    EXPECT_EQ(meeting, math::first_entry<double>({1 + 1e-12, 0}, {-1e-16, 0}, 1.0, noisy));
 }
 
 }  // namespace

@@ -2,8 +2,8 @@
 
 #include <gtest/gtest.h>
 
-#include "support/random.hpp"
 #include "support/exact_scalars.hpp"
+#include "support/random.hpp"
 
 namespace {
 

@@ -2,8 +2,8 @@
 
 #include <gtest/gtest.h>
 
-#include "support/random.hpp"
 #include "support/exact_scalars.hpp"
+#include "support/random.hpp"
 
 namespace {
 
@@ -65,8 +65,8 @@ TYPED_TEST(BuiltinVec, DifferencesOfFarPointsLoseNothing) {
     Random random(7);
     for (int i = 0; i < kCases; ++i) {
         const auto coordinate = [&] {
-            return math::Wide<S>(math::two_sum(S(1e8 + 1000 * random.unit<S>()),
-                                               S(1e-8 * random.signed_unit<S>())));
+            return math::Wide<S>(
+                math::two_sum(S(1e8 + 1000 * random.unit<S>()), S(1e-8 * random.signed_unit<S>())));
         };
         const math::WidePoint<S> a(coordinate(), coordinate());
         const math::WidePoint<S> b(coordinate(), coordinate());

@@ -3,8 +3,8 @@
 #include <gtest/gtest.h>
 
 #include "osculo/math/exact_sum.hpp"
-#include "support/random.hpp"
 #include "support/exact_scalars.hpp"
+#include "support/random.hpp"
 
 namespace {
 
@@ -66,8 +66,9 @@ TYPED_TEST(WideTest, SumErrsByThreeUnitsSquaredEvenIfItCancels) {
         const auto a = this->wide(-3, 3);
         auto b = this->wide(-3, 3);
         if (i % 2 == 0) {  // nearly -a
-            b = math::quick_two_sum(S(-a.hi * (1 + this->random.between(-2, 2) * math::epsilon<S>())),
-                                    S(a.lo * this->random.template signed_unit<S>()));
+            b = math::quick_two_sum(
+                S(-a.hi * (1 + this->random.between(-2, 2) * math::epsilon<S>())),
+                S(a.lo * this->random.template signed_unit<S>()));
         }
         const Exact error = this->relative_error(a + b, exact<Exact>(a) + exact<Exact>(b));
         ASSERT_LE(error, bound) << bits(a.hi) << bits(a.lo) << bits(b.hi) << bits(b.lo);
@@ -119,10 +120,11 @@ TYPED_TEST(WideTest, SquareRootErrsByFourUnitsSquared) {
 }
 
 TYPED_TEST(WideTest, OrderIsThatOfTheNumbers) {
-    using W = math::DoubleDouble<TypeParam>;
     for (int i = 0; i < kCases; ++i) {
         const auto a = this->wide(-2, 2);
-        auto b = i % 2 == 0 ? this->wide(-2, 2) : W(a.hi, this->random.coin() ? -a.lo : a.lo);
+        auto b = i % 2 == 0
+                     ? this->wide(-2, 2)
+                     : math::DoubleDouble<TypeParam>(a.hi, this->random.coin() ? -a.lo : a.lo);
         const Exact difference = exact<Exact>(a) - exact<Exact>(b);
         EXPECT_EQ(difference < 0, a < b);
         EXPECT_EQ(difference > 0, a > b);

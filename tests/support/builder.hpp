@@ -13,8 +13,7 @@ namespace osculo::support {
 
 /// What most tests run: every kind of obstacle, everything recorded, no grid.
 template <math::Scalar S>
-using TableScene =
-    engine::UniformScene<S, engine::Table, engine::PieceRecorder, engine::AllPairs>;
+using TableScene = engine::UniformScene<S, engine::Table, engine::PieceRecorder, engine::AllPairs>;
 
 /// Puts scenes together, of whatever scene type has a place for what is added.
 template <class Type>
@@ -62,8 +61,8 @@ struct Builder {
     }
 
     Builder& box(const S& low_x, const S& low_y, const S& high_x, const S& high_y) {
-        return outline({Vec(low_x, low_y), Vec(high_x, low_y), Vec(high_x, high_y),
-                        Vec(low_x, high_y)});
+        return outline(
+            {Vec(low_x, low_y), Vec(high_x, low_y), Vec(high_x, high_y), Vec(low_x, high_y)});
     }
 
     /// An arc from one direction to another (unit vectors to rounding), with its end points.
@@ -149,8 +148,7 @@ template <class Type>
                   audit.clean ? "clean" : "NOT CLEAN", audit.worst_gap, audit.worst_gap_time,
                   thing(audit.worst_first).c_str(), thing(audit.worst_second).c_str(),
                   audit.largest_contact_error, audit.largest_jump, audit.largest_energy_gain,
-                  audit.largest_momentum_error,
-                  static_cast<unsigned long long>(audit.unexplained));
+                  audit.largest_momentum_error, static_cast<unsigned long long>(audit.unexplained));
     return text;
 }
 

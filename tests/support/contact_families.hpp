@@ -8,7 +8,8 @@
 /// Families of cases for the first contact of a point with a circle, random and adversarial.
 namespace osculo::support {
 
-/// A point [along] before the closest approach to the centre, which it passes at distance [lateral].
+/// A point [along] before the closest approach to the centre, which it passes at distance
+/// [lateral].
 template <math::Scalar S>
 [[nodiscard]] PointCase<S> passing(const math::Vec<S>& direction, const S& along, const S& lateral,
                                    const S& radius, const S& speed) {

@@ -24,24 +24,23 @@ using Exacter = boost::multiprecision::number<boost::multiprecision::cpp_bin_flo
 template <math::Scalar S>
 using ExactFor = std::conditional_t<math::Builtin<S>, Exact, Exacter>;
 
-/// x without rounding.
+/// x without rounding; of the wider types, double by double.
 template <class R, math::Scalar S>
 [[nodiscard]] R exact(const S& x) {
-    if constexpr (std::is_same_v<S, math::Quad>) {
+    if constexpr (math::Builtin<S>) {
+        return R(x);
+    } else {
         // Away from where the parts would be too small for double.
-        if (x != 0 && math::abs<S>(x) < math::Quad(0x1p-600)) {
-            return exact<R>(S(x * math::Quad(0x1p500))) * ldexp(R(1), -500);
+        if (x != S(0) && math::abs<S>(x) < S(0x1p-600)) {
+            return exact<R>(S(x * S(0x1p500))) * ldexp(R(1), -500);
         }
         R sum(0);
-        math::Quad rest = x;
-        for (int i = 0; i < 3; ++i) {
-            const auto part = static_cast<double>(rest);
+        for (S rest = x; rest != S(0);) {
+            const double part = math::to_double<S>(rest);
             sum += R(part);
-            rest -= part;
+            rest -= S(part);
         }
         return sum;
-    } else {
-        return R(x);
     }
 }
 
@@ -95,7 +94,8 @@ template <math::Scalar S>
 
 template <math::Scalar S>
 [[nodiscard]] std::string bits(const math::Vec<S>& v) {
-    return "{" + bits<S>(v.x()) + ", " + bits<S>(v.y()) + "}";
+    std::string text("{");
+    return text.append(bits<S>(v.x())).append(", ").append(bits<S>(v.y())).append("}");
 }
 
 template <math::Scalar S>

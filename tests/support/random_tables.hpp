@@ -28,8 +28,7 @@ struct Spot {
     for (std::size_t k = 0; k < corners.size(); ++k) {
         const Spot& a = corners[k];
         const Spot& b = corners[(k + 1) % corners.size()];
-        if ((a.y > p.y) != (b.y > p.y) &&
-            p.x < a.x + (p.y - a.y) / (b.y - a.y) * (b.x - a.x)) {
+        if ((a.y > p.y) != (b.y > p.y) && p.x < a.x + (p.y - a.y) / (b.y - a.y) * (b.x - a.x)) {
             odd = !odd;
         }
     }
@@ -98,9 +97,7 @@ template <class Type>
         return false;
     };
     const auto vec = [](const Spot& p) { return Vec(S(p.x), S(p.y)); };
-    const auto turned = [](double angle) {
-        return Vec(S(std::cos(angle)), S(std::sin(angle)));
-    };
+    const auto turned = [](double angle) { return Vec(S(std::cos(angle)), S(std::sin(angle))); };
 
     Spot place{};
     if constexpr (Type::ObstacleList::template kContains<S, geometry::Arc<S>>) {

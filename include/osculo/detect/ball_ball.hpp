@@ -1,6 +1,6 @@
 #pragma once
 
-#include "osculo/math/first_root.hpp"
+#include "osculo/math/first_root_parabolic.hpp"
 #include "osculo/motion/path.hpp"
 
 namespace osculo::detect {
@@ -16,6 +16,37 @@ template <math::Scalar S>
                               const math::ContactHistory<S>& history, const S& horizon) {
     return math::first_entry<S>(math::difference<S>(first.position, second.position),
                                 first.velocity - second.velocity, reach, history, horizon);
+}
+
+/// True only if first_contact() would find nothing, or nothing before [horizon], once the paths
+/// have been shifted to a common start, by [first_shift] and [second_shift] s: told by a fraction
+/// of its arithmetic. For pairs that have not just been resolved.
+template <math::Scalar S>
+[[nodiscard]] bool certainly_apart(const motion::LinearPath<S>& first, const S& first_shift,
+                                   const motion::LinearPath<S>& second, const S& second_shift,
+                                   const S& reach, const S& horizon) {
+    const math::Vec<S> high = first.position.rounded() - second.position.rounded();
+    const math::Vec<S> low = first.position.remainder() - second.position.remainder();
+    const math::Vec<S> first_way = first.velocity * first_shift;
+    const math::Vec<S> second_way = second.velocity * second_shift;
+    const math::Vec<S> c = (high + low) + (first_way - second_way);
+    const S error = S(math::kRejectionSlack) * math::epsilon<S>() *
+                    (math::norm1<S>(high) + math::norm1<S>(low) + math::norm1<S>(first_way) +
+                     math::norm1<S>(second_way));
+    return math::certainly_no_entry<S>(c, error, first.velocity - second.velocity, reach, horizon);
+}
+
+/// The same for two balls with constant accelerations, until the first of their paths ends
+/// (NUMERICS 1.5). Error <= 2 ulp of the time but for grazes of 1e-16 of the reach.
+template <math::Scalar S>
+[[nodiscard]] S first_contact(const motion::ParabolicPath<S>& first,
+                              const motion::ParabolicPath<S>& second, const S& reach,
+                              const math::ContactHistory<S>& history, const S& horizon) {
+    return math::first_entry<S>(
+        math::ParabolicApproach<S>{math::difference<S>(first.position, second.position),
+                                   first.velocity - second.velocity,
+                                   first.half_acceleration - second.half_acceleration, reach},
+        std::min<S>(first.end, second.end), history, horizon);
 }
 
 }  // namespace osculo::detect

@@ -1,7 +1,9 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <tuple>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -10,6 +12,7 @@
 #include "osculo/engine/queue.hpp"
 #include "osculo/engine/recorder.hpp"
 #include "osculo/engine/traits.hpp"
+#include "osculo/impact/pressing.hpp"
 #include "osculo/status.hpp"
 
 namespace osculo::engine {
@@ -31,6 +34,14 @@ struct Body {
     bool present = true;           ///< false once captured
 };
 
+struct Nothing {};
+
+/// The impact laws of balls with spin; nothing for others.
+template <class Type, bool = Type::Motion::kSpin>
+struct FrictionLaws {};
+template <class Type>
+struct FrictionLaws<Type, true> : Type::Impact::template Laws<typename Type::Scalar> {};
+
 /// What a scene holds and how its impacts go, for the engine of that scene type.
 template <class Type>
 struct SceneData {
@@ -40,6 +51,11 @@ struct SceneData {
     typename Type::ObstacleStorage obstacles;
     S ball_ball_restitution{1};
     S ball_cushion_restitution{1};
+    [[no_unique_address]] typename Type::MotionParameters motion;
+    [[no_unique_address]] FrictionLaws<Type> friction;  ///< where balls have spin
+    /// Shortest time between impacts of things that are pressed together [s], for motion with
+    /// acceleration (impact/pressing.hpp).
+    [[no_unique_address]] std::conditional_t<Type::Motion::kTransitions, S, Nothing> contact_time{};
 };
 
 /// What ends a run.
@@ -64,6 +80,7 @@ public:
     /// finite states.
     explicit Engine(SceneData<Type> scene)
         : scene_(std::move(scene)), queue_(scene_.bodies.size()), broad_phase_(scene_.bodies) {
+        for (BodyType& body : scene_.bodies) begin_motion(body);
         for (BallIndex i = 0; i < scene_.bodies.size(); ++i) predict(i);
     }
 
@@ -97,7 +114,12 @@ private:
                const Instant& start, const S& wait, Scheduled& best) const;
     [[nodiscard]] static S horizon(const Instant& start, const Scheduled& best);
 
+    /// Lets the motion law see that a ball's velocity or spin has been changed.
+    void begin_motion(BodyType& body);
     [[nodiscard]] bool is_void(const Scheduled& event) const;
+    void change_phase(BallIndex i);
+    void resolve_balls(BodyType& one, BodyType& other, const Vec& normal);
+    void resolve_cushion(BodyType& body, const Vec& normal);
     [[nodiscard]] bool carry_out(const Scheduled& event);
     [[nodiscard]] bool collide_balls(const Contact& contact);
     template <std::size_t K>
@@ -109,9 +131,6 @@ private:
     void advance(BallIndex i);
     void note_impact(BodyType& body, const Vec& before, Kind kind, std::uint32_t other);
     void end_piece(BallIndex i, const Instant& to);
-    [[nodiscard]] Moment<S> moment(BallIndex i) const {
-        return {scene_.bodies[i].state.position, scene_.bodies[i].state.velocity};
-    }
     [[nodiscard]] bool gap_explained(const BodyType& one, const BodyType& other, const S& gap,
                                      const S& travelled) const;
     [[nodiscard]] bool all_at_rest() const;
@@ -129,7 +148,9 @@ private:
 template <class Type>
 Status Engine<Type>::run(const RunLimits<S>& limits) {
     const Instant end{limits.time};
-    const std::uint64_t most_at_one_instant = 1000 + 100 * std::uint64_t(scene_.bodies.size());
+    // A ball wedged between two points bounces some thousand times within one instant and comes
+    // free.
+    const std::uint64_t most_at_one_instant = 100'000 + 100 * std::uint64_t(scene_.bodies.size());
     std::uint64_t at_this_instant = 0;
     for (;;) {
         if (queue_.empty() || queue_.top().kind == kNothing) {
@@ -137,9 +158,11 @@ Status Engine<Type>::run(const RunLimits<S>& limits) {
         }
         const Scheduled event = queue_.top();
         const BallIndex owner = queue_.top_ball();
-        if (event.when > end) {
-            return finish(Status::time_limit, end);
+        if (is_void(event)) {  // first of all: it does not say that there is anything ahead
+            predict(owner);
+            continue;
         }
+        if (event.when > end) return finish(Status::time_limit, end);
         if constexpr (Type::BroadPhase::kCrossings) {
             if (event.kind == kCellCrossing) {
                 broad_phase_.cross(owner,
@@ -147,10 +170,6 @@ Status Engine<Type>::run(const RunLimits<S>& limits) {
                 predict(owner);
                 continue;
             }
-        }
-        if (is_void(event)) {
-            predict(owner);
-            continue;
         }
         if (event_count_ == limits.events) return finish(Status::event_limit, now_);
         at_this_instant = event.when == now_ ? at_this_instant + 1 : 0;
@@ -170,6 +189,9 @@ void Engine<Type>::predict(BallIndex i) {
         const Path path = Type::Motion::template path<S>(body.state);
         if constexpr (Type::BroadPhase::kCrossings) {
             offer(kCellCrossing, i, 0, 0, body.clock, broad_phase_.next_crossing(i, path), best);
+        }
+        if constexpr (Type::Motion::kTransitions) {
+            offer(kTransition, i, 0, 0, body.clock, body.state.remaining, best);
         }
         predict_obstacles<0>(i, path, best);
         broad_phase_.for_each_candidate(i, [&](BallIndex j) { predict_ball(i, path, j, best); });
@@ -192,8 +214,8 @@ void Engine<Type>::predict_obstacles(BallIndex i, const Path& path, Scheduled& b
             const bool resolved = body.last_kind == kind && body.last_other == k;
             offer(kind, i, k, 0, body.clock,
                   first_contact(path, body.radius, obstacles[k],
-                                        math::ContactHistory<S>{resolved, body.noise},
-                                        horizon(body.clock, best)),
+                                math::ContactHistory<S>{resolved, body.noise},
+                                horizon(body.clock, best)),
                   best);
         }
         predict_obstacles<K + 1>(i, path, best);
@@ -212,17 +234,15 @@ void Engine<Type>::predict_ball(BallIndex i, const Path& path, BallIndex j, Sche
     Instant start = one.clock;
     if (one.clock < other.clock) {
         start = other.clock;
-        first.position =
-            math::displaced<S>(path.position, path.velocity, math::duration<S>(one.clock, start));
+        first.shift(math::duration<S>(one.clock, start));
     } else if (other.clock < one.clock) {
-        second.position = math::displaced<S>(second.position, second.velocity,
-                                             math::duration<S>(other.clock, start));
+        second.shift(math::duration<S>(other.clock, start));
     }
     const bool resolved = one.last_kind == kBallBall && one.last_other == j &&
                           other.last_kind == kBallBall && other.last_other == i;
-    const S wait = first_contact(
-        first, second, S(one.radius + other.radius),
-        math::ContactHistory<S>{resolved, S(one.noise + other.noise)}, horizon(start, best));
+    const S wait = first_contact(first, second, S(one.radius + other.radius),
+                                 math::ContactHistory<S>{resolved, S(one.noise + other.noise)},
+                                 horizon(start, best));
     offer(kBallBall, i, j, other.age, start, wait, best);
 }
 
@@ -270,6 +290,12 @@ template <class Type>
 bool Engine<Type>::carry_out(const Scheduled& event) {
     std::array<Contact, 1> cluster{Contact{event.kind, event.first, event.second}};
     bool sound = true;
+    if constexpr (Type::Motion::kTransitions) {
+        if (event.kind == kTransition) {
+            change_phase(event.first);
+            return true;
+        }
+    }
     Type::Simultaneous::resolve(cluster, [&](const Contact& contact) {
         if (contact.kind == kBallBall) {
             sound = collide_balls(contact) && sound;
@@ -289,25 +315,28 @@ bool Engine<Type>::collide_balls(const Contact& contact) {
     const BallIndex j = contact.second;
     BodyType& one = scene_.bodies[i];
     BodyType& other = scene_.bodies[j];
-    const S travelled = math::norm1<S>(one.state.velocity) * math::duration<S>(one.clock, now_) +
-                        math::norm1<S>(other.state.velocity) * math::duration<S>(other.clock, now_);
+    const S travelled =
+        Type::Motion::template travel<S>(one.state, math::duration<S>(one.clock, now_)) +
+        Type::Motion::template travel<S>(other.state, math::duration<S>(other.clock, now_));
     advance(i);
     advance(j);
     const Vec normal = math::difference<S>(other.state.position, one.state.position);
     const bool sound =
         gap_explained(one, other, math::norm<S>(normal) - (one.radius + other.radius), travelled);
 
-    [[maybe_unused]] const Moment<S> before_one = moment(i);
-    [[maybe_unused]] const Moment<S> before_other = moment(j);
-    const Vec v1 = one.state.velocity;
-    const Vec v2 = other.state.velocity;
-    Type::Impact::template resolve<S>(scene_.ball_ball_restitution, one.mass, other.mass, normal,
-                                      one.state.velocity, other.state.velocity);
-    note_impact(one, v1, kBallBall, j);
-    note_impact(other, v2, kBallBall, i);
+    const auto before = std::array{one.state, other.state};
+    resolve_balls(one, other, normal);
+    note_impact(one, before[0].velocity, kBallBall, j);
+    note_impact(other, before[1].velocity, kBallBall, i);
     if constexpr (Recorder::kEvents) {
         recorder_.events.push_back(
-            {now_, kBallBall, i, j, normal, {before_one, before_other}, {moment(i), moment(j)}});
+            {now_,
+             kBallBall,
+             i,
+             j,
+             normal,
+             {Recorder::remember(before[0]), Recorder::remember(before[1])},
+             {Recorder::remember(one.state), Recorder::remember(other.state)}});
     }
     predict(i);
     predict(j);
@@ -323,27 +352,106 @@ bool Engine<Type>::meet_obstacle(const Contact& contact) {
     const auto& obstacle = std::get<K>(scene_.obstacles)[contact.second];
     using Obstacle = std::decay_t<decltype(obstacle)>;
     const Vec normal = contact_normal(body.state.position, obstacle);
-    const Vec before = body.state.velocity;
-    [[maybe_unused]] const Moment<S> moment_before = moment(i);
+    const auto before = body.state;
     if constexpr (kEffect<Obstacle> == Effect::capture) {
         body.present = false;
         broad_phase_.remove(i);
     } else {
-        Type::Impact::template resolve<S>(scene_.ball_cushion_restitution, normal,
-                                          body.state.velocity);
+        resolve_cushion(body, normal);
     }
-    note_impact(body, before, contact.kind, contact.second);
+    note_impact(body, before.velocity, contact.kind, contact.second);
     if constexpr (Recorder::kEvents) {
-        recorder_.events.push_back({now_,
-                                    contact.kind,
-                                    i,
-                                    contact.second,
-                                    normal,
-                                    {moment_before, moment_before},
-                                    {moment(i), moment(i)}});
+        recorder_.events.push_back(
+            {now_,
+             contact.kind,
+             i,
+             contact.second,
+             normal,
+             {Recorder::remember(before), Recorder::remember(before)},
+             {Recorder::remember(body.state), Recorder::remember(body.state)}});
     }
     predict(i);
     return math::is_finite<S>(math::norm1<S>(normal));
+}
+
+template <class Type>
+void Engine<Type>::begin_motion(BodyType& body) {
+    if constexpr (Type::Motion::kTransitions) {
+        Type::Motion::template begin<S>(scene_.motion, body.state);
+    }
+}
+
+/// The ball's motion enters its next phase.
+template <class Type>
+void Engine<Type>::change_phase(BallIndex i) {
+    BodyType& body = scene_.bodies[i];
+    advance(i);
+    const auto before = body.state;
+    Type::Motion::template transition<S>(scene_.motion, body.state);
+    body.last_kind = kTransition;
+    ++body.age;
+    if constexpr (Recorder::kEvents) {
+        recorder_.events.push_back(
+            {now_,
+             kTransition,
+             i,
+             0,
+             Vec(S(0), S(0)),
+             {Recorder::remember(before), Recorder::remember(before)},
+             {Recorder::remember(body.state), Recorder::remember(body.state)}});
+    }
+    predict(i);
+}
+
+template <class Type>
+void Engine<Type>::resolve_balls(BodyType& one, BodyType& other, const Vec& normal) {
+    if constexpr (Type::Motion::kSpin) {
+        auto first = impact::spinning_ball<S>(one);
+        auto second = impact::spinning_ball<S>(other);
+        scene_.friction.ball_ball.resolve(normal, first, second);
+        impact::take<S>(first, one);
+        impact::take<S>(second, other);
+    } else {
+        Type::Impact::template resolve<S>(scene_.ball_ball_restitution, one.mass, other.mass,
+                                          normal, one.state.velocity, other.state.velocity);
+    }
+    begin_motion(one);
+    begin_motion(other);
+    if constexpr (Type::Motion::kTransitions) {
+        const Vec unit = normal / math::norm<S>(normal);
+        const S missing = impact::missing_separation<S>(
+            other.state.velocity - one.state.velocity,
+            other.state.half_acceleration - one.state.half_acceleration, unit, scene_.contact_time);
+        if (missing > S(0)) {
+            const S total = one.mass + other.mass;
+            one.state.velocity -= (missing * (other.mass / total)) * unit;
+            other.state.velocity += (missing * (one.mass / total)) * unit;
+            begin_motion(one);
+            begin_motion(other);
+        }
+    }
+}
+
+template <class Type>
+void Engine<Type>::resolve_cushion(BodyType& body, const Vec& normal) {
+    if constexpr (Type::Motion::kSpin) {
+        auto ball = impact::spinning_ball<S>(body);
+        scene_.friction.ball_cushion.resolve(normal, ball);
+        impact::take<S>(ball, body);
+    } else {
+        Type::Impact::template resolve<S>(scene_.ball_cushion_restitution, normal,
+                                          body.state.velocity);
+    }
+    begin_motion(body);
+    if constexpr (Type::Motion::kTransitions) {
+        const Vec away = normal / -math::norm<S>(normal);
+        const S missing = impact::missing_separation<S>(
+            body.state.velocity, body.state.half_acceleration, away, scene_.contact_time);
+        if (missing > S(0)) {
+            body.state.velocity += missing * away;
+            begin_motion(body);
+        }
+    }
 }
 
 template <class Type>
@@ -360,9 +468,9 @@ template <class Type>
 void Engine<Type>::note_impact(BodyType& body, const Vec& before, Kind kind, std::uint32_t other) {
     // Within one instant the largest noise stays: what is left of a speed after many impacts is no
     // more certain than the speed it is left of.
-    body.noise = std::max<S>(body.noise, S(math::kVelocityNoise) * math::epsilon<S>() *
-                                             (math::norm1<S>(before) +
-                                              math::norm1<S>(body.state.velocity)));
+    body.noise =
+        std::max<S>(body.noise, S(math::kVelocityNoise) * math::epsilon<S>() *
+                                    (math::norm1<S>(before) + math::norm1<S>(body.state.velocity)));
     body.last_kind = kind;
     body.last_other = other;
     ++body.age;
@@ -372,7 +480,7 @@ template <class Type>
 void Engine<Type>::end_piece(BallIndex i, const Instant& to) {
     if constexpr (Recorder::kPieces) {
         const BodyType& body = scene_.bodies[i];
-        recorder_.pieces.push_back({i, body.clock, to, body.state.position, body.state.velocity});
+        recorder_.add_piece(i, body.clock, to, body.state);
     }
 }
 

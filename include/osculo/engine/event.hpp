@@ -12,9 +12,10 @@ using BallIndex = std::uint32_t;
 /// Obstacles follow: kFirstObstacle + the place of their kind in the scene type's list.
 using Kind = std::uint32_t;
 inline constexpr Kind kNothing = 0;       ///< the ball has no event ahead
-inline constexpr Kind kCellCrossing = 1;  ///< bookkeeping of the broad phase: changes no ball
-inline constexpr Kind kBallBall = 2;
-inline constexpr Kind kFirstObstacle = 3;
+inline constexpr Kind kTransition = 1;    ///< the ball's motion enters its next phase
+inline constexpr Kind kCellCrossing = 2;  ///< bookkeeping of the broad phase: changes no ball
+inline constexpr Kind kBallBall = 3;
+inline constexpr Kind kFirstObstacle = 4;
 
 /// A predicted event. Events are totally ordered by (when, kind, first, second), which does not
 /// depend on the order of prediction.

@@ -15,16 +15,16 @@ struct Moment {
     math::Vec<S> velocity;
 };
 
-/// An event as it happened.
-template <math::Scalar S>
+/// An event as it happened. [Memory]: what is kept of a ball.
+template <math::Scalar S, class Memory = Moment<S>>
 struct EventRecord {
     math::Instant<S> when;
     Kind kind;
     BallIndex first;
     std::uint32_t second;
     math::Vec<S> normal;  ///< from `first` towards the other, any length
-    std::array<Moment<S>, 2> before;
-    std::array<Moment<S>, 2> after;
+    std::array<Memory, 2> before;
+    std::array<Memory, 2> after;
 };
 
 /// One stretch of one ball's motion.
@@ -52,6 +52,11 @@ struct EventRecorder {
     static constexpr bool kEvents = true;
     static constexpr bool kPieces = false;
     std::vector<EventRecord<S>> events;
+
+    template <class State>
+    [[nodiscard]] static Moment<S> remember(const State& state) {
+        return {state.position, state.velocity};
+    }
 };
 
 /// Keeps the events and every ball's pieces, in order of their ends.
@@ -62,6 +67,42 @@ struct PieceRecorder {
     static constexpr bool kPieces = true;
     std::vector<EventRecord<S>> events;
     std::vector<PieceRecord<S>> pieces;
+
+    template <class State>
+    [[nodiscard]] static Moment<S> remember(const State& state) {
+        return {state.position, state.velocity};
+    }
+    template <class State>
+    void add_piece(BallIndex ball, const math::Instant<S>& from, const math::Instant<S>& to,
+                   const State& state) {
+        pieces.push_back({ball, from, to, state.position, state.velocity});
+    }
+};
+
+/// One stretch of one ball's motion, with all that its motion law knows of it at `from`.
+template <math::Scalar S, class State>
+struct StatePieceRecord {
+    BallIndex ball;
+    math::Instant<S> from;
+    math::Instant<S> to;
+    State state;
+};
+
+/// Keeps the events and pieces of a motion law with more to it than place and velocity. Without
+/// [Pieces], only the events.
+template <math::Scalar S, class State, bool Pieces>
+struct StateRecorder {
+    static constexpr const char* kName = Pieces ? "pieces" : "events";
+    static constexpr bool kEvents = true;
+    static constexpr bool kPieces = Pieces;
+    std::vector<EventRecord<S, State>> events;
+    std::vector<StatePieceRecord<S, State>> pieces;
+
+    [[nodiscard]] static State remember(const State& state) { return state; }
+    void add_piece(BallIndex ball, const math::Instant<S>& from, const math::Instant<S>& to,
+                   const State& state) {
+        pieces.push_back({ball, from, to, state});
+    }
 };
 
 }  // namespace osculo::engine

@@ -1,6 +1,11 @@
 #pragma once
 
 #include "osculo/engine/engine.hpp"
+#include "osculo/impact/cushion_han_2005.hpp"
+#include "osculo/impact/cushion_simple.hpp"
+#include "osculo/impact/frictional.hpp"
+#include "osculo/motion/cloth.hpp"
+#include "osculo/motion/rolling.hpp"
 #include "osculo/motion/uniform.hpp"
 
 /// The ready-made scene types, narrowest first.
@@ -15,5 +20,36 @@ template <math::Scalar S, class ObstacleKinds, template <class> class RecorderKi
           template <class> class BroadPhaseKind>
 using UniformScene = SceneType<S, motion::Uniform, ObstacleKinds, impact::Restitution,
                                impact::Sequential, RecorderKind, BroadPhaseKind>;
+
+/// Rolling to rest, with restitution.
+template <math::Scalar S, template <class> class RecorderKind>
+using RollingScene = SceneType<S, motion::Rolling, Table, impact::Restitution, impact::Sequential,
+                               RecorderKind, AllPairs>;
+
+/// Impact laws of balls with spin: friction between balls, and a cushion law.
+template <template <class> class Cushion>
+struct WithFriction {
+    static constexpr const char* kName = Cushion<double>::kName;
+
+    template <math::Scalar S>
+    struct Laws {
+        impact::Frictional<S> ball_ball;
+        Cushion<S> ball_cushion;
+    };
+};
+
+/// A cloth, with friction everywhere.
+template <math::Scalar S, template <class> class Cushion, template <class> class RecorderKind>
+using ClothScene = SceneType<S, motion::Cloth, Table, WithFriction<Cushion>, impact::Sequential,
+                             RecorderKind, AllPairs>;
+
+template <math::Scalar S>
+using RollingEvents = StateRecorder<S, motion::Rolling::State<S>, false>;
+template <math::Scalar S>
+using RollingPieces = StateRecorder<S, motion::Rolling::State<S>, true>;
+template <math::Scalar S>
+using ClothEvents = StateRecorder<S, motion::Cloth::State<S>, false>;
+template <math::Scalar S>
+using ClothPieces = StateRecorder<S, motion::Cloth::State<S>, true>;
 
 }  // namespace osculo::engine

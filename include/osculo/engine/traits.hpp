@@ -6,17 +6,19 @@
 #include <vector>
 
 #include "osculo/detect/ball_arc.hpp"
+#include "osculo/detect/ball_arc_parabolic.hpp"
 #include "osculo/detect/ball_ball.hpp"
 #include "osculo/detect/ball_point.hpp"
 #include "osculo/detect/ball_rim.hpp"
 #include "osculo/detect/ball_segment.hpp"
+#include "osculo/detect/ball_segment_parabolic.hpp"
 #include "osculo/impact/restitution.hpp"
 #include "osculo/impact/simultaneous.hpp"
 
 namespace osculo::engine {
 
-// Contacts are looked up here and, by their arguments, where an obstacle or a path comes from: kinds
-// defined outside of osculo bring their overloads along.
+// Contacts are looked up here and, by their arguments, where an obstacle or a path comes from:
+// kinds defined outside of osculo bring their overloads along.
 using detect::contact_normal;
 using detect::first_contact;
 
@@ -59,6 +61,7 @@ struct SceneType {
     using ObstacleList = ObstacleKinds;
     using ObstacleStorage = typename ObstacleKinds::template Storage<S>;
     using Impact = ImpactLaw;
+    using MotionParameters = typename MotionLaw::template Parameters<S>;
     using Simultaneous = SimultaneousLaw;
     using Recorder = RecorderKind<S>;
     using BroadPhase = BroadPhaseKind<S>;

@@ -54,4 +54,9 @@ inline constexpr int kPieceJump = 1;
 /// Overlap that a scene may start with, over the smaller radius: data typed with eight digits.
 inline constexpr double kStartOverlap = 1e-7;
 
+/// Slip of a ball on its cloth that counts as none, in units of epsilon (|v| + R |w|): a sum of two
+/// terms that an impact has computed, each to a few ulp. An impact that ends in rolling must not
+/// start a slide of no length.
+inline constexpr int kSlip = 8;
+
 }  // namespace osculo::math

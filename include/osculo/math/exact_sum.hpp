@@ -3,6 +3,7 @@
 #include <array>
 #include <cstddef>
 
+#include "osculo/math/error_bounds.hpp"
 #include "osculo/math/wide.hpp"
 
 namespace osculo::math {
@@ -40,8 +41,14 @@ public:
     }
 
 private:
-    std::array<S, kCapacity> components_;
+    std::array<S, kCapacity> components_{};
     std::size_t count_ = 0;
 };
+
+/// True if a - b has lost so many digits in wide arithmetic that it has to be formed exactly.
+template <Builtin S>
+[[nodiscard]] bool cancelled(const DoubleDouble<S>& difference, const DoubleDouble<S>& subtrahend) {
+    return abs<S>(difference.hi) <= S(kExactStage) * epsilon<S>() * abs<S>(subtrahend.hi);
+}
 
 }  // namespace osculo::math

@@ -23,12 +23,6 @@ struct ContactHistory {
 
 namespace detail {
 
-/// True if a - b has lost so many digits in wide arithmetic that it has to be formed exactly.
-template <Builtin S>
-[[nodiscard]] bool cancelled(const DoubleDouble<S>& difference, const DoubleDouble<S>& subtrahend) {
-    return abs<S>(difference.hi) <= S(kExactStage) * epsilon<S>() * abs<S>(subtrahend.hi);
-}
-
 /// |c|^2 - s^2. For the built-in types the sign is exact and the error far below one ulp.
 template <Scalar S>
 [[nodiscard]] Wide<S> gap_function(const Vec<S>& c, const S& s) {
@@ -74,15 +68,22 @@ template <Scalar S>
     return result;
 }
 
+/// Whether squares of squares of the lengths and speeds of a problem stay in range.
+template <Scalar S>
+[[nodiscard]] bool ordinary(const S& length, const S& speed) {
+    constexpr double kLeast = 1e-40;
+    constexpr double kMost = 1e40;
+    return length > S(kLeast) && length < S(kMost) && speed > S(kLeast) && speed < S(kMost);
+}
+
 /// Solves the problem scaled by powers of two such that squares of squares stay in range. Exact.
 template <Scalar S, class Solver>
 [[nodiscard]] S with_safe_exponents(const Vec<S>& c, const Vec<S>& b, const S& s,
                                     ContactHistory<S> history, const S& horizon, Solver solve) {
     if constexpr (ScalarTraits<S>::kNarrowExponent) {
-        const auto ordinary = [](S x) { return x > S(1e-40) && x < S(1e40); };
         const S length = std::max(norm_max<S>(c), s);
         const S speed = norm_max<S>(b);
-        if (!(ordinary(length) && ordinary(speed)) && speed > S(0)) {
+        if (!ordinary<S>(length, speed) && speed > S(0)) {
             const int length_exponent = std::ilogb(length);
             const int speed_exponent = std::ilogb(speed);
             // In two steps: one factor could itself be out of range.
@@ -115,33 +116,41 @@ template <Scalar S>
 }
 
 /// Cheap rejections, on the safe side of rounding: the line of the path passes the circle by.
+/// [blur] bounds the error of b x c.
 template <Scalar S>
-[[nodiscard]] bool certainly_beside(const Vec<S>& c, const Vec<S>& b, const S& s, const S& slack) {
-    const S lateral = abs<S>(cross<S>(b, c)) - slack * (norm1<S>(b) * norm1<S>(c));
+[[nodiscard]] bool certainly_beside(const Vec<S>& c, const Vec<S>& b, const S& s, const S& blur,
+                                    const S& slack) {
+    const S lateral = abs<S>(cross<S>(b, c)) - blur;
     return lateral > S(0) && lateral * lateral > (s * s) * dot<S>(b, b) * (S(1) + slack);
 }
 
 /// The path to the contact is at least Q / (-2 slope) long in time, since sqrt(disc) <= -slope.
+/// [slope] may be less than b.c; [blur] bounds an error of |c|^2 beyond rounding.
 template <Scalar S>
-[[nodiscard]] bool certainly_later(const Vec<S>& c, const S& s, const S& slope, const S& horizon,
-                                   const S& slack) {
+[[nodiscard]] bool certainly_later(const Vec<S>& c, const S& s, const S& slope, const S& blur,
+                                   const S& horizon, const S& slack) {
     const S cc = dot<S>(c, c);
     const S ss = s * s;
-    return (cc - ss) - slack * (cc + ss) > -S(2) * slope * horizon * (S(1) + slack);
+    return (cc - ss) - (slack * (cc + ss) + blur) > -S(2) * slope * horizon * (S(1) + slack);
 }
 
 template <Scalar S>
 [[nodiscard]] S first_entry(const Vec<S>& c, const Vec<S>& b, const S& s,
                             const ContactHistory<S>& history, const S& horizon) {
+    // Most pairs are told apart without exact arithmetic.
+    const S slack = S(kRejectionSlack) * epsilon<S>();
+    const S blur = slack * (norm1<S>(b) * norm1<S>(c));
+    const S rounded_slope = dot<S>(b, c);
+    if (rounded_slope > blur) return never<S>();
+    if (!history.just_resolved) {
+        if (certainly_beside<S>(c, b, s, blur, slack)) return never<S>();
+        if (certainly_later<S>(c, s, rounded_slope - blur, S(0), horizon, slack)) return never<S>();
+    }
     const S slope = accurate_dot<S>(b, c);
     if (!(slope < S(0))) return never<S>();  // not approaching now, so never
     const S bb = dot<S>(b, b);
     const S ss = s * s;
     if (history.just_resolved) return noticed_approach<S>(slope, bb, ss);
-
-    const S slack = S(kRejectionSlack) * epsilon<S>();
-    if (certainly_beside<S>(c, b, s, slack)) return never<S>();
-    if (certainly_later<S>(c, s, slope, horizon, slack)) return never<S>();
 
     const Wide<S> gap = gap_function<S>(c, s);
     if (history.noise > S(0) && narrow(gap) <= S(2 * kTouch) * epsilon<S>() * ss &&
@@ -157,24 +166,47 @@ template <Scalar S>
 
 template <Scalar S>
 [[nodiscard]] S first_exit(const Vec<S>& c, const Vec<S>& b, const S& s,
-                           const ContactHistory<S>& history, const S& /*horizon*/) {
-    const S bb = dot<S>(b, b);
-    if (!(bb > S(0))) return never<S>();
-    const S slope = accurate_dot<S>(b, c);
-    if (history.just_resolved) {  // the gap function is t (2 slope + |b|^2 t)
-        return slope < S(0) ? S(-S(2) * slope / bb) : S(0);
-    }
+                           const ContactHistory<S>& history, bool inside) {
+    const Wide<S> bb = wide_dot<S>(b, b);
+    if (!(bb > Wide<S>(S(0)))) return never<S>();
+    const Wide<S> slope = wide_dot<S>(b, c);
+    const bool inwards = slope < Wide<S>(S(0));
+    if (history.just_resolved && !inwards) return S(0);
     const Wide<S> gap = gap_function<S>(c, s);
-    if (!(slope < S(0)) && gap >= Wide<S>(S(0))) return S(0);
+    if (!inwards && gap >= Wide<S>(S(0))) return S(0);
     const Wide<S> disc = discriminant<S>(c, b, s);
-    if (!(disc > Wide<S>(S(0)))) return never<S>();  // passes by without being inside
+    if (!(disc > Wide<S>(S(0)))) {
+        // On the circle but for rounding the gap function is t (2 slope + |b|^2 t). Where there is
+        // a discriminant its root is taken instead: it does not hand the rounding of this contact
+        // on to the next one, and so to all that follow.
+        if (history.just_resolved) return quotient(Wide<S>(-slope - slope), bb);
+        // Outside throughout: only by rounding if it is known to be inside, and then it moves
+        // outwards from where it is closest to the centre.
+        return inside ? quotient(Wide<S>(-slope), bb) : never<S>();
+    }
     const Wide<S> root = wide_square_root(disc);
-    const Wide<S> wide_slope = wide_dot<S>(b, c);
-    if (slope < S(0)) return quotient(Wide<S>(root - wide_slope), wide_dot<S>(b, b));
-    return quotient(Wide<S>(-gap), Wide<S>(root + wide_slope));
+    return inwards ? quotient(Wide<S>(root - slope), bb) : quotient(Wide<S>(-gap), root + slope);
 }
 
 }  // namespace detail
+
+/// True only if first_entry() would find nothing, or nothing before [horizon], for a point within
+/// [error] of c (in the sum of both coordinates). For pairs that have not just been resolved.
+template <Scalar S>
+[[nodiscard]] bool certainly_no_entry(const Vec<S>& c, const S& error, const Vec<S>& b, const S& s,
+                                      const S& horizon) {
+    if constexpr (ScalarTraits<S>::kNarrowExponent) {
+        if (!detail::ordinary<S>(std::max(norm_max<S>(c), s), norm_max<S>(b))) return false;
+    }
+    const S slack = S(kRejectionSlack) * epsilon<S>();
+    const S size = norm1<S>(c);
+    const S speed = norm1<S>(b);
+    const S blur = speed * (slack * size + error);
+    const S slope = dot<S>(b, c);
+    return slope > blur || detail::certainly_beside<S>(c, b, s, blur, slack) ||
+           detail::certainly_later<S>(c, s, S(slope - blur), S(S(3) * size * error), horizon,
+                                      slack);
+}
 
 /// First t >= 0 at which the point, approaching, is at or inside the circle: Q <= 0 and slope < 0
 /// (NUMERICS 1.1, 1.3); never() if there is none, or if it is certainly later than [horizon].
@@ -189,13 +221,17 @@ template <Scalar S>
 }
 
 /// First t >= 0 at which the point, moving outwards, is at or outside of the circle, having been
-/// inside: the contact of a ball with a circle around it. never() if it never gets inside.
+/// inside: the contact of a ball with a circle around it. never() if it never gets inside; but a
+/// point that is [inside] is so up to rounding, wherever c puts it.
 ///
 /// Errors as for first_entry(). Requires s > 0, finite c and b.
 template <Scalar S>
 [[nodiscard]] S first_exit(const Vec<S>& c, const Vec<S>& b, const S& s,
-                           const ContactHistory<S>& history = {}) {
-    return detail::with_safe_exponents<S>(c, b, s, history, never<S>(), detail::first_exit<S>);
+                           const ContactHistory<S>& history = {}, bool inside = false) {
+    return detail::with_safe_exponents<S>(
+        c, b, s, history, never<S>(),
+        [inside](const Vec<S>& c_, const Vec<S>& b_, const S& s_, const ContactHistory<S>& history_,
+                 const S&) { return detail::first_exit<S>(c_, b_, s_, history_, inside); });
 }
 
 }  // namespace osculo::math

@@ -63,6 +63,7 @@ template <Scalar S>
 
 template <Scalar S>
 [[nodiscard]] S abs(const S& x) {
+    if constexpr (Builtin<S>) return std::fabs(x);  // one instruction, where the sign of 0 hinders
     return x < S(0) ? S(-x) : x;
 }
 

@@ -24,6 +24,10 @@ namespace osculo::math {
 template <Scalar S>
 using Vec = Eigen::Matrix<S, 2, 1>;
 
+/// A vector in space, z up.
+template <Scalar S>
+using Vec3 = Eigen::Matrix<S, 3, 1>;
+
 /// a b - c d with an error of at most 1.5 ulp of the result, whatever cancels (after W. Kahan; two
 /// exact products instead of two fused operations, so that it serves types without fma). Its sign
 /// is exact.
@@ -103,6 +107,8 @@ struct WidePoint {
 
     /// The nearest point in S.
     [[nodiscard]] Vec<S> rounded() const { return {narrow(x), narrow(y)}; }
+    /// What rounded() takes away.
+    [[nodiscard]] Vec<S> remainder() const { return {low_part(x), low_part(y)}; }
 };
 
 /// a - b, to 1/2 ulp of the difference.
@@ -115,10 +121,27 @@ template <Scalar S>
     return {narrow(Wide<S>(a.x - b.x())), narrow(Wide<S>(a.y - b.y()))};
 }
 
+/// a - b, in wide precision.
+template <Scalar S>
+[[nodiscard]] WidePoint<S> wide_difference(const WidePoint<S>& a, const Vec<S>& b) {
+    return {a.x - b.x(), a.y - b.y()};
+}
+
 /// p + v t in wide precision.
 template <Scalar S>
 [[nodiscard]] WidePoint<S> displaced(const WidePoint<S>& p, const Vec<S>& v, const S& t) {
     return {p.x + wide_product<S>(v.x(), t), p.y + wide_product<S>(v.y(), t)};
+}
+
+/// p + v t + a t^2 in wide precision; a is half the acceleration.
+template <Scalar S>
+[[nodiscard]] WidePoint<S> displaced(const WidePoint<S>& p, const Vec<S>& v, const Vec<S>& a,
+                                     const S& t) {
+    const auto moved = [&t](const Wide<S>& x, const S& speed, const S& half_acceleration) {
+        const Wide<S> mean_speed = wide_product<S>(half_acceleration, t) + speed;
+        return Wide<S>(x + mean_speed * Wide<S>(t));
+    };
+    return {moved(p.x, v.x(), a.x()), moved(p.y, v.y(), a.y())};
 }
 
 }  // namespace osculo::math

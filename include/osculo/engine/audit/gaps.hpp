@@ -17,8 +17,8 @@ public:
     using Wide = math::Wide<S>;
     using Piece = PieceRecord<S>;
 
-    GapAudit(const SceneData<Type>& scene, const std::vector<S>& longest, RunAudit& result)
-        : scene_(scene), longest_(longest), result_(result) {
+    GapAudit(const SceneData<Type>& scene, const std::vector<S>& path, RunAudit& result)
+        : scene_(scene), path_(path), result_(result) {
         measure_boxes(std::make_index_sequence<kKinds>{});
     }
 
@@ -57,8 +57,7 @@ private:
     /// Around everything the ball covers during the piece.
     Box box_of(const Piece& piece) const {
         const double radius = math::to_double<S>(scene_.bodies[piece.ball].radius);
-        return box_around<S>(piece.position.rounded(),
-                             position_at<S>(piece, piece.to).rounded())
+        return box_around<S>(piece.position.rounded(), position_at<S>(piece, piece.to).rounded())
             .grown(radius * (1 + 4 * math::epsilon<double>()));
     }
     /// With room for every gap smaller than the smallest one yet.
@@ -74,22 +73,22 @@ private:
         const Body<Type>& one = scene_.bodies[a.ball];
         const Body<Type>& other = scene_.bodies[b.ball];
         const Wide reach = math::wide_sum<S>(one.radius, other.radius);
-        const RelativePath<S> path{
-            seen_from(position_at<S>(a, start), position_at<S>(b, start)),
-            {math::wide_sum<S>(a.velocity.x(), S(-b.velocity.x())),
-             math::wide_sum<S>(a.velocity.y(), S(-b.velocity.y()))},
-            end - start};
+        const RelativePath<S> path{seen_from(position_at<S>(a, start), position_at<S>(b, start)),
+                                   {math::wide_sum<S>(a.velocity.x(), S(-b.velocity.x())),
+                                    math::wide_sum<S>(a.velocity.y(), S(-b.velocity.y()))},
+                                   end - start};
         const GapAt<S> gap = smallest_distance_beyond<S>(path, reach);
         const auto initial = [&] {
             return length_beyond<S>(seen_from(one.state.position, other.state.position), reach);
         };
         note(gap, std::min<S>(one.radius, other.radius), math::narrow(reach),
-             S(longest_[a.ball] + longest_[b.ball]), a, start, {kBallBall, b.ball}, initial);
+             S(path_[a.ball] + path_[b.ball]), a, start, {kBallBall, b.ball}, b.position.rounded(),
+             initial);
     }
 
     template <std::size_t... K>
     void measure_boxes(std::index_sequence<K...>) {
-        const auto measure = [](const auto& obstacles, std::vector<Box>& boxes) {
+        [[maybe_unused]] const auto measure = [](const auto& obstacles, std::vector<Box>& boxes) {
             for (const auto& obstacle : obstacles) boxes.push_back(box_around(obstacle));
         };
         (measure(std::get<K>(scene_.obstacles), obstacle_boxes_[K]), ...);
@@ -114,16 +113,17 @@ private:
                 return contact_gap(seen_from(body.state.position, origin(obstacle)), body.radius,
                                    obstacle);
             };
-            note(gap, body.radius, body.radius, longest_[piece.ball], piece, piece.from,
-                 {kFirstObstacle + static_cast<Kind>(K), k}, initial);
+            note(gap, body.radius, body.radius + contact_reach(obstacle), path_[piece.ball], piece,
+                 piece.from, {kFirstObstacle + static_cast<Kind>(K), k}, origin(obstacle), initial);
         }
     }
 
     /// [initial] gives the gap of the two at the start of the run: a scene may start with a small
     /// overlap, which is theirs until they are apart.
     template <class InitialGap>
-    void note(const GapAt<S>& found, const S& smaller_radius, const S& reach, const S& longest,
-              const Piece& piece, const math::Instant<S>& start, Thing other, InitialGap initial) {
+    void note(const GapAt<S>& found, const S& smaller_radius, const S& reach, const S& path,
+              const Piece& piece, const math::Instant<S>& start, Thing other,
+              const math::Vec<S>& from, InitialGap initial) {
         const double share = math::to_double<S>(found.gap / smaller_radius);
         if (!(share >= result_.worst_gap)) {
             result_.worst_gap = share;
@@ -133,13 +133,13 @@ private:
         }
         if (found.gap >= S(0)) return;
         const S allowed = std::clamp<S>(-initial(), S(0), S(math::kStartOverlap) * smaller_radius);
-        const S bound = allowed + gap_bound<S>(reach, longest) +
-                        resolution<S>(piece.position, piece.velocity, piece.to);
+        const S bound = allowed + gap_bound<S>(reach, path) +
+                        resolution<S>(piece.position, piece.velocity, piece.to, from);
         result_.clean = result_.clean && found.gap >= -bound;
     }
 
     const SceneData<Type>& scene_;
-    const std::vector<S>& longest_;
+    const std::vector<S>& path_;
     RunAudit& result_;
     std::array<std::vector<Box>, kKinds> obstacle_boxes_;
 };

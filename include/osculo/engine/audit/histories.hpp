@@ -34,8 +34,7 @@ public:
     }
 
     /// To be called after the last event.
-    void finish(const std::vector<Body<Type>>& final_bodies, const Instant& end,
-                RunAudit& result) {
+    void finish(const std::vector<Body<Type>>& final_bodies, const Instant& end, RunAudit& result) {
         for (BallIndex i = 0; i < histories_.size(); ++i) {
             History& history = histories_[i];
             if (!history.captured) {

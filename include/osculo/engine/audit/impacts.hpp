@@ -15,8 +15,8 @@ public:
     using Vec = math::Vec<S>;
     using Event = EventRecord<S>;
 
-    explicit ImpactAudit(const SceneData<Type>& scene, const std::vector<S>& longest)
-        : scene_(scene), longest_(longest) {}
+    explicit ImpactAudit(const SceneData<Type>& scene, const std::vector<S>& path)
+        : scene_(scene), path_(path) {}
 
     void check(const Event& event, RunAudit& result) const {
         const std::size_t balls = event.kind == kBallBall ? 2 : 1;
@@ -42,7 +42,8 @@ private:
         S gap{0};
         S reach = one.radius;
         S smaller = one.radius;
-        S longest = longest_[event.first];
+        S path = path_[event.first];
+        Vec from(S(0), S(0));
         if (event.kind == kBallBall) {
             const Body<Type>& other = body(event, 1);
             const math::WidePoint<S> apart{event.before[0].position.x - event.before[1].position.x,
@@ -50,23 +51,26 @@ private:
             gap = length_beyond<S>(apart, math::wide_sum<S>(one.radius, other.radius));
             reach = reach + other.radius;
             smaller = std::min<S>(smaller, other.radius);
-            longest = longest + longest_[event.second];
+            path = path + path_[event.second];
         } else {
             with_obstacle<Type>(scene_, event.kind, event.second, [&](const auto& obstacle) {
                 gap = contact_gap(seen_from(event.before[0].position, origin(obstacle)), one.radius,
                                   obstacle);
+                reach = reach + contact_reach(obstacle);
+                from = origin(obstacle);
             });
         }
-        const S bound = gap_bound<S>(reach, longest) +
-                        resolution<S>(event.before[0].position, event.before[0].velocity, event.when);
+        const S bound =
+            gap_bound<S>(reach, path) +
+            resolution<S>(event.before[0].position, event.before[0].velocity, event.when, from);
         result.note(result.largest_contact_error, math::to_double<S>(gap / smaller), gap <= bound);
     }
 
     /// Approaching before; after it not any more, unless captured.
     void check_closing(const Event& event, std::size_t balls, RunAudit& result) const {
-        const Vec normal = balls == 2 ? math::difference<S>(event.before[1].position,
-                                                            event.before[0].position)
-                                      : event.normal;
+        const Vec normal =
+            balls == 2 ? math::difference<S>(event.before[1].position, event.before[0].position)
+                       : event.normal;
         const auto closing = [&](const std::array<Moment<S>, 2>& moments) {
             Vec v = moments[0].velocity;
             if (balls == 2) v -= moments[1].velocity;
@@ -103,8 +107,7 @@ private:
         S before{0};
         for (std::size_t k = 0; k < 2; ++k) {
             const S mass = body(event, k).mass;
-            change +=
-                mass * Vec((event.after[k].velocity - event.before[k].velocity) / speed);
+            change += mass * Vec((event.after[k].velocity - event.before[k].velocity) / speed);
             before = before + mass * math::norm<S>(event.before[k].velocity) / speed;
         }
         const S error = math::norm<S>(change);
@@ -114,7 +117,7 @@ private:
     }
 
     const SceneData<Type>& scene_;
-    const std::vector<S>& longest_;
+    const std::vector<S>& path_;
 };
 
 }  // namespace osculo::engine::detail

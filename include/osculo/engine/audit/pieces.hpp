@@ -22,16 +22,18 @@ template <math::Scalar S>
 
 /// How far off a contact distance may be: see math::kContactGap.
 template <math::Scalar S>
-[[nodiscard]] S gap_bound(const S& reach, const S& longest_path) {
-    return S(math::kContactGap) * math::epsilon<S>() * (reach + longest_path);
+[[nodiscard]] S gap_bound(const S& reach, const S& path) {
+    return S(math::kContactGap) * math::epsilon<S>() * (reach + path);
 }
 
-/// What the rounding of wide places and instants leaves unresolved.
+/// What the rounding of wide places and instants leaves unresolved; [from] is what the place is
+/// measured from.
 template <math::Scalar S>
 [[nodiscard]] S resolution(const math::WidePoint<S>& position, const math::Vec<S>& velocity,
-                           const math::Instant<S>& when) {
+                           const math::Instant<S>& when,
+                           const math::Vec<S>& from = math::Vec<S>(S(0), S(0))) {
     return S(math::kContactGap) * math::wide_epsilon<S>() *
-           (math::norm1<S>(position.rounded()) +
+           (math::norm1<S>(position.rounded()) + math::norm1<S>(from) +
             math::norm1<S>(velocity) * math::abs<S>(math::narrow(when)));
 }
 
@@ -48,10 +50,12 @@ void with_obstacle(const SceneData<Type>& scene, Kind kind, std::uint32_t index,
 template <class Type>
 [[nodiscard]] bool event_captures(Kind kind) {
     return [&]<std::size_t... K>(std::index_sequence<K...>) {
-        return ((kind == kFirstObstacle + K &&
-                 kEffect<typename std::tuple_element_t<
-                     K, typename Type::ObstacleStorage>::value_type> == Effect::capture) ||
-                ...);
+        return (
+            (kind == kFirstObstacle + K &&
+             kEffect<
+                 typename std::tuple_element_t<K, typename Type::ObstacleStorage>::value_type> ==
+                 Effect::capture) ||
+            ...);
     }
     (std::make_index_sequence<Type::ObstacleList::kCount>{});
 }

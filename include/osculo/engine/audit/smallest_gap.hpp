@@ -61,7 +61,8 @@ template <math::Scalar S>
 template <math::Scalar S>
 [[nodiscard]] S length_beyond(const math::WidePoint<S>& x, const math::Wide<S>& s) {
     const S length = math::norm<S>(x.rounded());
-    if (length > S(4) * math::narrow(s)) return math::narrow(math::Wide<S>(math::Wide<S>(length) - s));
+    if (length > S(4) * math::narrow(s))
+        return math::narrow(math::Wide<S>(math::Wide<S>(length) - s));
     const math::Wide<S> difference_of_squares = inner<S>(x, x) - s * s;
     return math::narrow(difference_of_squares) / (length + math::narrow(s));
 }
@@ -79,7 +80,8 @@ template <math::Scalar S>
     const S square = math::dot<S>(along, along);
     math::Wide<S> t = zero;
     for (int i = 0; i < 2; ++i) {
-        t = t - math::Wide<S>(math::narrow(math::Wide<S>(inner<S>(path.at(t), direction))) / square / speed);
+        t = t - math::Wide<S>(math::narrow(math::Wide<S>(inner<S>(path.at(t), direction))) /
+                              square / speed);
         if (!(zero < t)) return zero;
         if (!(t < path.time)) return path.time;
     }
@@ -132,7 +134,9 @@ template <math::Scalar S>
 
     const Wide first = inner<S>(path.at(from), normal);
     const Wide last = inner<S>(path.at(to), normal);
-    const auto gap = [&](const Wide& distance) { return math::narrow(Wide(distance - Wide(radius))); };
+    const auto gap = [&](const Wide& distance) {
+        return math::narrow(Wide(distance - Wide(radius)));
+    };
     if (segment.one_sided) {
         if (!(zero < first)) return {};
         if (last < first) return {gap(last), to};
@@ -157,10 +161,14 @@ template <math::Scalar S>
     using Wide = math::Wide<S>;
     const Wide zero{S(0)};
     GapAt<S> smallest;
-    const auto consider = [&](const Wide& t) {
+    const auto consider = [&](const Wide& t, const math::Vec<S>* border = nullptr) {
         if (t < zero || path.time < t) return;
         const math::WidePoint<S> x = path.at(t);
-        if (!arc.covers(x.rounded())) return;
+        const math::Vec<S> direction = x.rounded();
+        // On a border rounding would decide, were it asked whether the arc covers the direction.
+        const bool counts =
+            border ? math::dot<S>(*border, direction) > S(0) : arc.covers(direction);
+        if (!counts) return;
         smallest.keep_smaller(math::abs<S>(length_beyond<S>(x, Wide(arc.radius))) - radius, t);
     };
     consider(zero);
@@ -181,10 +189,11 @@ template <math::Scalar S>
         consider(Wide((-before_foot + half_chord) / speed));
     }
     if (!arc.full) {
-        for (const math::Vec<S>& border : {arc.start, arc.end}) {
-            const S turn_rate = math::accurate_cross<S>(border, velocity);
+        for (const math::Vec<S>* border : {&arc.start, &arc.end}) {
+            const S turn_rate = math::accurate_cross<S>(*border, velocity);
             if (turn_rate == S(0)) continue;
-            consider(Wide(-math::accurate_cross<S>(border, path.start.rounded()) / turn_rate));
+            const S turn = math::accurate_cross<S>(*border, path.start.rounded());
+            consider(Wide(-turn / turn_rate), border);
         }
     }
     return smallest;
@@ -269,8 +278,9 @@ template <math::Scalar S>
         8 * math::epsilon<double>() * coordinate);
 }
 
-/// What a kind of obstacle has to tell so that its gaps can be audited, besides smallest_gap(): the
-/// point that paths are measured from, and a box around it.
+/// What a kind of obstacle has to tell so that its gaps can be audited, besides smallest_gap() and
+/// contact_gap(): the point that paths are measured from, how far a contact may be from there
+/// besides the ball's radius, and a box around it.
 template <math::Scalar S>
 [[nodiscard]] const math::Vec<S>& origin(const geometry::Segment<S>& segment) {
     return segment.from;
@@ -286,6 +296,17 @@ template <math::Scalar S>
 template <math::Scalar S>
 [[nodiscard]] const math::Vec<S>& origin(const geometry::Rim<S>& rim) {
     return rim.center;
+}
+
+/// Of straight things and points 0: only the distance across counts.
+template <class Obstacle>
+[[nodiscard]] auto contact_reach(const Obstacle& obstacle) {
+    using S = std::decay_t<decltype(origin(obstacle).x())>;
+    if constexpr (requires { obstacle.radius; }) {
+        return S(obstacle.radius);
+    } else {
+        return S(0);
+    }
 }
 
 template <math::Scalar S>
