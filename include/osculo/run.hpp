@@ -19,6 +19,7 @@ enum class EventKind {
     ball_segment,  ///< a ball and the straight part of a segment
     ball_arc,      ///< a ball and the circular part of an arc
     ball_point,    ///< a ball and an end point of a segment or arc
+    transition,    ///< a ball's motion enters its next phase
 };
 
 /// The kind as it is written in files: "capture", "ball_ball", ...
@@ -29,8 +30,30 @@ enum class EventKind {
         case EventKind::ball_segment: return "ball_segment";
         case EventKind::ball_arc: return "ball_arc";
         case EventKind::ball_point: return "ball_point";
+        case EventKind::transition: return "transition";
     }
     return "ball_ball";
+}
+
+/// What a ball does between its events.
+enum class Phase {
+    uniform,   ///< free flight
+    rest,      ///< on cloth, and after rolling to rest
+    spinning,  ///< on the spot, about the vertical
+    rolling,
+    sliding,
+};
+
+/// The phase as it is written in files: "uniform", "rest", ...
+[[nodiscard]] constexpr std::string_view to_string(Phase phase) {
+    switch (phase) {
+        case Phase::uniform: return "uniform";
+        case Phase::rest: return "rest";
+        case Phase::spinning: return "spinning";
+        case Phase::rolling: return "rolling";
+        case Phase::sliding: return "sliding";
+    }
+    return "uniform";
 }
 
 /// A ball's place and motion at one instant.
@@ -53,11 +76,19 @@ struct Event {
     Point normal;  ///< unit, from `ball` towards `other`
     std::array<BallState, 2> before;  ///< of `ball` and, for ball_ball, `other`
     std::array<BallState, 2> after;
+    Phase from = Phase::uniform;  ///< of a transition
+    Phase to = Phase::uniform;
     friend bool operator==(const Event&, const Event&) = default;
 };
 
-/// One analytic stretch of one ball's motion: at `from` <= t <= `to` its centre is at
-/// position + velocity (t - from). A position is the sum of its two parts, like an instant.
+/// One analytic stretch of one ball's motion. With T = t - from, from <= t <= to:
+///
+///   centre    position + velocity T + acceleration T^2 / 2
+///   velocity  velocity + acceleration T
+///   spin x, y of a rolling ball (-vy, vx) / radius, else spin + spin_rate T
+///   spin z    towards 0 by spin_rate[2] T, and 0 from there on
+///
+/// A position is the sum of its two parts, like an instant.
 struct Piece {
     std::uint32_t ball = 0;  ///< index into scene.balls
     double from = 0;         ///< [s]
@@ -66,8 +97,11 @@ struct Piece {
     double to_low = 0;
     Point position;  ///< at `from` [m]
     Point position_low;
-    Point velocity;  ///< [m/s]
-    Spin spin{};
+    Point velocity;      ///< at `from` [m/s]
+    Point acceleration;  ///< [m/s^2]
+    Spin spin{};         ///< at `from` [rad/s]
+    Spin spin_rate{};    ///< [rad/s^2]; the third is >= 0
+    Phase phase = Phase::uniform;
     friend bool operator==(const Piece&, const Piece&) = default;
 };
 
@@ -116,7 +150,7 @@ struct Audit {
 
 /// Which ready-made engine ran the scene.
 struct EngineInfo {
-    std::string name;  ///< e.g. "uniform/segments+points/double/pieces/all-pairs"
+    std::string name;  ///< e.g. "uniform/restitution/segments+points/double/pieces/all-pairs"
     std::vector<std::string>
         left_out;  ///< features of osculo that this engine does not contain, with why
     friend bool operator==(const EngineInfo&, const EngineInfo&) = default;

@@ -3,8 +3,10 @@
 #include <array>
 #include <cstdint>
 #include <limits>
+#include <optional>
 #include <stdexcept>
 #include <string>
+#include <string_view>
 #include <variant>
 #include <vector>
 
@@ -23,11 +25,12 @@ using Spin = std::array<double, 3>;
 /// A circular body.
 struct Ball {
     std::string id;
-    double mass = 1;    ///< [kg], > 0
-    double radius = 1;  ///< [m], > 0
-    Point position;     ///< of the centre [m]
-    Point velocity;     ///< [m/s]
-    Spin spin{};        ///< [rad/s]; carried along unchanged by laws that do not use it
+    double mass = 1;       ///< [kg], > 0
+    double radius = 1;     ///< [m], > 0
+    Point position;        ///< of the centre [m]
+    Point velocity;        ///< [m/s]
+    Spin spin{};           ///< [rad/s]; carried along unchanged by laws that do not use it
+    double inertia = 0.4;  ///< k = I / (m r^2), in (0, 1]: 2/5 for a solid sphere; used with cloth
     friend bool operator==(const Ball&, const Ball&) = default;
 };
 
@@ -74,13 +77,61 @@ struct UniformMotion {
     friend bool operator==(const UniformMotion&, const UniformMotion&) = default;
 };
 
-/// How balls move while nothing touches them.
-using MotionLaw = std::variant<UniformMotion>;
+/// Rolling to rest: constant deceleration friction * gravity along the path, without regard to
+/// spin.
+struct RollingMotion {
+    double friction = 0.01;  ///< >= 0
+    friend bool operator==(const RollingMotion&, const RollingMotion&) = default;
+};
 
-/// Frictionless impact: the normal relative velocity is reversed and multiplied by restitution.
-struct Restitution {
+/// A ball on a cloth: sliding, rolling, spinning, rest. Frictions >= 0, each may be 0.
+struct ClothMotion {
+    double sliding_friction = 0.2;
+    double rolling_friction = 0.01;
+    double spinning_friction = 0.0127;  ///< spin about the vertical decays at this * g / (k r)
+    friend bool operator==(const ClothMotion&, const ClothMotion&) = default;
+};
+
+/// How balls move while nothing touches them.
+using MotionLaw = std::variant<UniformMotion, RollingMotion, ClothMotion>;
+
+enum class BallBallLaw {
+    restitution,  ///< frictionless: the normal relative velocity is reversed, times restitution
+    frictional,   ///< the same with Coulomb friction between the balls; needs cloth
+};
+
+/// What happens when two balls meet.
+struct BallBallImpact {
+    BallBallLaw law = BallBallLaw::restitution;
     double restitution = 1;  ///< in [0, 1]
-    friend bool operator==(const Restitution&, const Restitution&) = default;
+    /// mu(u) = f0 + f1 exp(-f2 u) at the slip speed u [m/s]; each >= 0.
+    std::array<double, 3> friction{};
+    friend bool operator==(const BallBallImpact&, const BallBallImpact&) = default;
+};
+
+enum class CushionLaw {
+    restitution,  ///< frictionless
+    han_2005,     ///< these need cloth
+    mathavan_2010,
+    stronge,
+};
+
+/// The law as it is written in files: "restitution", "han_2005", ...
+[[nodiscard]] constexpr std::string_view to_string(CushionLaw law) {
+    switch (law) {
+        case CushionLaw::restitution: return "restitution";
+        case CushionLaw::han_2005: return "han_2005";
+    }
+    return "restitution";
+}
+
+/// What happens when a ball meets a cushion.
+struct CushionImpact {
+    CushionLaw law = CushionLaw::restitution;
+    double restitution = 1;  ///< in [0, 1]
+    double friction = 0;     ///< >= 0; not for `restitution`
+    double height = 0;       ///< of the nose above the table [m], > 0; not for `restitution`
+    friend bool operator==(const CushionImpact&, const CushionImpact&) = default;
 };
 
 /// How contacts at one instant that share a ball are resolved.
@@ -89,8 +140,11 @@ enum class Simultaneous {
 };
 
 struct Impacts {
-    Restitution ball_ball;
-    Restitution ball_cushion;
+    BallBallImpact ball_ball;
+    CushionImpact ball_cushion;
+    /// Things that are pressed together meet at most once in this time [s], >= 0; not for uniform
+    /// motion (osculo/impact/pressing.hpp says why).
+    double contact_time = 1e-4;
     Simultaneous simultaneous = Simultaneous::sequential;
     friend bool operator==(const Impacts&, const Impacts&) = default;
 };
@@ -102,15 +156,30 @@ struct Limits {
     friend bool operator==(const Limits&, const Limits&) = default;
 };
 
+/// A cue strikes a ball at rest before the run begins; needs cloth.
+struct Cue {
+    std::string ball;                ///< id of the ball
+    double speed = 1;                ///< of the cue [m/s], > 0
+    double azimuth = 0;              ///< direction of the shot, from x towards y [rad]
+    double elevation = 0;            ///< of the butt [rad], in [0, pi/2)
+    std::array<double, 2> offset{};  ///< of the tip: to the left and up [ball radii]
+    double mass = 0.54;              ///< of the cue [kg], > 0
+    double end_mass = 0.006;         ///< of the part of the cue that is pushed aside [kg], >= 0
+    double restitution = 1;          ///< of the tip, in [0, 1]
+    double miscue_limit = 0.55;      ///< largest offset [ball radii], in (0, 1]
+    friend bool operator==(const Cue&, const Cue&) = default;
+};
+
 /// Everything that exists. SI units, radians.
 struct Scene {
     MotionLaw motion;
-    double gravity = 9.81;  ///< [m/s^2]; used by no law of free flight
+    double gravity = 9.81;  ///< [m/s^2], >= 0; not for uniform motion
     std::vector<Ball> balls;
     std::vector<Segment> segments;
     std::vector<Arc> arcs;
     std::vector<Rim> rims;
     Impacts impacts;
+    std::optional<Cue> cue;
     /// True: every ball must start enclosed by segments, arcs and rims with no gap it fits through.
     bool closed = false;
     Limits limits;

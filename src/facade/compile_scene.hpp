@@ -11,7 +11,10 @@
 
 #include <boost/multiprecision/cpp_bin_float.hpp>
 
+#include "compile_cue.hpp"
+#include "compile_cushion.hpp"
 #include "osculo/engine/engine.hpp"
+#include "osculo/engine/scenes.hpp"
 #include "osculo/scene.hpp"
 
 namespace osculo::facade {
@@ -94,22 +97,60 @@ public:
     std::vector<std::string> names_;
 };
 
+/// The ball at the start, struck if the scene's cue strikes it.
+template <class Type>
+[[nodiscard]] engine::Body<Type> compile_ball(const Scene& scene, const Ball& ball) {
+    using S = typename Type::Scalar;
+    engine::Body<Type> body;
+    body.state.position = math::WidePoint<S>(vec<S>(ball.position));
+    body.state.velocity = vec<S>(ball.velocity);
+    body.mass = S(ball.mass);
+    body.radius = S(ball.radius);
+    if constexpr (Type::Motion::kSpin) {
+        body.state.spin = {S(ball.spin[0]), S(ball.spin[1]), S(ball.spin[2])};
+        body.state.radius = S(ball.radius);
+        body.state.inertia = S(ball.inertia);
+        if (scene.cue && scene.cue->ball == ball.id) {
+            auto struck = impact::spinning_ball<S>(body);
+            compile_cue<S>(*scene.cue).resolve(struck);
+            impact::take<S>(struck, body);
+        }
+    }
+    return body;
+}
+
+template <class Type>
+void compile_laws(const Scene& scene, engine::SceneData<Type>& data) {
+    using S = typename Type::Scalar;
+    const BallBallImpact& balls = scene.impacts.ball_ball;
+    const CushionImpact& cushion = scene.impacts.ball_cushion;
+    data.ball_ball_restitution = S(balls.restitution);
+    data.ball_cushion_restitution = S(cushion.restitution);
+    const S g(scene.gravity);
+    if constexpr (std::is_same_v<typename Type::Motion, motion::Rolling>) {
+        data.motion.deceleration = S(std::get<RollingMotion>(scene.motion).friction) * g;
+    }
+    if constexpr (std::is_same_v<typename Type::Motion, motion::Cloth>) {
+        const auto& cloth = std::get<ClothMotion>(scene.motion);
+        data.motion = {S(cloth.sliding_friction) * g, S(cloth.rolling_friction) * g,
+                       S(cloth.spinning_friction) * g};
+        data.friction.ball_ball = {
+            S(balls.restitution),
+            {S(balls.friction[0]), S(balls.friction[1]), S(balls.friction[2])}};
+        data.friction.ball_cushion = compile_cushion<decltype(data.friction.ball_cushion)>(cushion);
+    }
+    if constexpr (Type::Motion::kTransitions) data.contact_time = S(scene.impacts.contact_time);
+}
+
 template <class Type>
 [[nodiscard]] CompiledScene<Type> compile_scene(const Scene& scene) {
     using S = typename Type::Scalar;
     CompiledScene<Type> result;
     result.balls = order_by_id(scene.balls);
     for (const std::uint32_t i : result.balls) {
-        const Ball& ball = scene.balls[i];
-        engine::Body<Type> body;
-        body.state.position = math::WidePoint<S>(vec<S>(ball.position));
-        body.state.velocity = vec<S>(ball.velocity);
-        body.mass = S(ball.mass);
-        body.radius = S(ball.radius);
-        result.data.bodies.push_back(body);
+        result.data.bodies.push_back(compile_ball<Type>(scene, scene.balls[i]));
     }
-    result.data.ball_ball_restitution = S(scene.impacts.ball_ball.restitution);
-    result.data.ball_cushion_restitution = S(scene.impacts.ball_cushion.restitution);
+    compile_laws(scene, result.data);
 
     using List = typename Type::ObstacleList;
     constexpr bool kWalls = List::template kContains<S, geometry::Segment<S>>;

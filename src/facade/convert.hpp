@@ -26,7 +26,7 @@ public:
             const engine::Body<Type>& body = bodies[n];
             const std::uint32_t index = compiled_.balls[n];
             FinalBall& ball = result[index];
-            ball.state = state({body.state.position, body.state.velocity}, index);
+            ball.state = state(body.state, index);
             if (!body.present) {
                 ball.fate = BallFate::captured;
                 ball.rim = compiled_.rims[body.last_other];
@@ -37,12 +37,21 @@ public:
         return result;
     }
 
-    [[nodiscard]] Event event(const engine::EventRecord<S>& record) const {
+    template <class Memory>
+    [[nodiscard]] Event event(const engine::EventRecord<S, Memory>& record) const {
         Event event;
         event.time = high(record.when);
         event.time_low = low(record.when);
         event.kind = kind(record.kind);
         event.ball = compiled_.balls[record.first];
+        if (event.kind == EventKind::transition) {
+            event.point = point(record.before[0].position.rounded());
+            event.before[0] = state(record.before[0], event.ball);
+            event.after[0] = state(record.after[0], event.ball);
+            event.from = phase(record.before[0]);
+            event.to = phase(record.after[0]);
+            return event;
+        }
         event.other = other(event.kind, record.second);
         const math::Vec<S> unit = record.normal / math::norm<S>(record.normal);
         event.normal = point(unit);
@@ -61,16 +70,20 @@ public:
     }
 
     [[nodiscard]] Piece piece(const engine::PieceRecord<S>& record) const {
-        const std::uint32_t index = compiled_.balls[record.ball];
-        return {index,
-                high(record.from),
-                low(record.from),
-                high(record.to),
-                low(record.to),
-                {high(record.position.x), high(record.position.y)},
-                {low(record.position.x), low(record.position.y)},
-                point(record.velocity),
-                scene_.balls[index].spin};
+        return piece(record, engine::Moment<S>{record.position, record.velocity});
+    }
+    template <class State>
+    [[nodiscard]] Piece piece(const engine::StatePieceRecord<S, State>& record) const {
+        Piece piece = this->piece(record, record.state);
+        const math::Vec<S> acceleration = S(2) * record.state.half_acceleration;
+        piece.acceleration = point(acceleration);
+        piece.phase = phase(record.state);
+        if constexpr (Type::Motion::kSpin) {
+            piece.spin_rate = {math::to_double<S>(record.state.spin_rate.x()),
+                               math::to_double<S>(record.state.spin_rate.y()),
+                               math::to_double<S>(record.state.spin_decay)};
+        }
+        return piece;
     }
 
     [[nodiscard]] Audit audit(const engine::RunAudit& found) const {
@@ -99,7 +112,8 @@ public:
             case EventKind::ball_ball: return compiled_.balls[n];
             case EventKind::ball_segment: return compiled_.segments[n];
             case EventKind::ball_arc: return compiled_.arcs[n];
-            case EventKind::ball_point: return n;
+            case EventKind::ball_point:
+            case EventKind::transition: return n;
         }
         return n;
     }
@@ -108,6 +122,7 @@ public:
     [[nodiscard]] static EventKind kind(engine::Kind engine_kind) {
         using Storage = typename Type::ObstacleStorage;
         if (engine_kind == engine::kBallBall) return EventKind::ball_ball;
+        if (engine_kind == engine::kTransition) return EventKind::transition;
         EventKind result = EventKind::ball_point;
         [&]<std::size_t... K>(std::index_sequence<K...>) {
             ((engine_kind == engine::kFirstObstacle + K
@@ -130,6 +145,7 @@ private:
             case EventKind::ball_segment: return scene_.segments[index].id;
             case EventKind::ball_arc: return scene_.arcs[index].id;
             case EventKind::ball_point: return compiled_.points[index];
+            case EventKind::transition: break;
         }
         return {};
     }
@@ -157,8 +173,46 @@ private:
     [[nodiscard]] static Point point(const math::Vec<S>& v) {
         return {math::to_double<S>(v.x()), math::to_double<S>(v.y())};
     }
-    [[nodiscard]] BallState state(const engine::Moment<S>& moment, std::uint32_t index) const {
-        return {point(moment.position.rounded()), point(moment.velocity), scene_.balls[index].spin};
+    template <class Memory>
+    [[nodiscard]] BallState state(const Memory& memory, std::uint32_t index) const {
+        BallState result{point(memory.position.rounded()), point(memory.velocity),
+                         scene_.balls[index].spin};
+        if constexpr (Type::Motion::kSpin) {
+            const auto& w = memory.spin;
+            result.spin = {math::to_double<S>(w.x()), math::to_double<S>(w.y()),
+                           math::to_double<S>(w.z())};
+        }
+        return result;
+    }
+    template <class State>
+    [[nodiscard]] static Phase phase(const State& state) {
+        if constexpr (Type::Motion::kSpin) {
+            switch (state.phase) {
+                case motion::ClothPhase::rest: return Phase::rest;
+                case motion::ClothPhase::spinning: return Phase::spinning;
+                case motion::ClothPhase::rolling: return Phase::rolling;
+                case motion::ClothPhase::sliding: return Phase::sliding;
+            }
+        } else if constexpr (Type::Motion::kTransitions) {
+            return Type::Motion::template at_rest<S>(state) ? Phase::rest : Phase::rolling;
+        }
+        return Phase::uniform;
+    }
+    /// What all kinds of pieces have.
+    template <class Record, class State>
+    [[nodiscard]] Piece piece(const Record& record, const State& at_start) const {
+        Piece piece;
+        piece.ball = compiled_.balls[record.ball];
+        piece.from = high(record.from);
+        piece.from_low = low(record.from);
+        piece.to = high(record.to);
+        piece.to_low = low(record.to);
+        const BallState begin = state(at_start, piece.ball);
+        piece.position = begin.position;
+        piece.position_low = {low(at_start.position.x), low(at_start.position.y)};
+        piece.velocity = begin.velocity;
+        piece.spin = begin.spin;
+        return piece;
     }
 
     const Scene& scene_;

@@ -5,12 +5,12 @@ namespace osculo::facade {
 std::span<const ReadyEngine> double_walls_engines() {
     using namespace engine;
     static const std::array kEngines{
-        ready_engine<double, Walls, NoRecorder, AllPairs>(),
-        ready_engine<double, Walls, EventRecorder, AllPairs>(),
-        ready_engine<double, Walls, PieceRecorder, AllPairs>(),
-        ready_engine<double, Walls, NoRecorder, CellGrid>(),
-        ready_engine<double, Walls, EventRecorder, CellGrid>(),
-        ready_engine<double, Walls, PieceRecorder, CellGrid>(),
+        ready_engine<UniformScene<double, Walls, NoRecorder, AllPairs>>(),
+        ready_engine<UniformScene<double, Walls, EventRecorder, AllPairs>>(),
+        ready_engine<UniformScene<double, Walls, PieceRecorder, AllPairs>>(),
+        ready_engine<UniformScene<double, Walls, NoRecorder, CellGrid>>(),
+        ready_engine<UniformScene<double, Walls, EventRecorder, CellGrid>>(),
+        ready_engine<UniformScene<double, Walls, PieceRecorder, CellGrid>>(),
     };
     return kEngines;
 }

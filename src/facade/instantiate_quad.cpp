@@ -1,14 +1,17 @@
 #include "run_engine.hpp"
 
 namespace osculo::facade {
-// The wider types are for checking, not for speed: one obstacle list and one broad phase will do.
+// The wider types are for checking, not for speed: few engines cover everything.
 
 std::span<const ReadyEngine> quad_engines() {
     using namespace engine;
     static const std::array kEngines{
-        ready_engine<math::Quad, Table, NoRecorder, CellGrid>(),
-        ready_engine<math::Quad, Table, EventRecorder, CellGrid>(),
-        ready_engine<math::Quad, Table, PieceRecorder, CellGrid>(),
+        ready_engine<UniformScene<math::Quad, Table, NoRecorder, CellGrid>>(),
+        ready_engine<UniformScene<math::Quad, Table, EventRecorder, CellGrid>>(),
+        ready_engine<UniformScene<math::Quad, Table, PieceRecorder, CellGrid>>(),
+        ready_engine<RollingScene<math::Quad, RollingPieces>>(),
+        ready_engine<ClothScene<math::Quad, impact::CushionSimple, ClothPieces>>(),
+        ready_engine<ClothScene<math::Quad, impact::CushionHan2005, ClothPieces>>(),
     };
     return kEngines;
 }

@@ -7,12 +7,17 @@
 
 namespace osculo::facade {
 
+/// The alternatives of MotionLaw, in its order.
+enum class MotionKind { uniform, rolling, cloth };
+
 /// One of the engines that the library contains, and what it covers.
 struct ReadyEngine {
     Precision precision;
+    MotionKind motion;
+    CushionLaw cushion;
     bool segments;  ///< and end points
     bool arcs_and_rims;
-    Record record;
+    Record record;   ///< at most this
     bool cell_grid;  ///< for many balls; gives the same results as all pairs
     std::string (*name)();
     /// Runs a valid scene. With `audit`, requires record == pieces.
@@ -23,6 +28,9 @@ struct ReadyEngine {
 [[nodiscard]] std::span<const ReadyEngine> double_open_engines();
 [[nodiscard]] std::span<const ReadyEngine> double_walls_engines();
 [[nodiscard]] std::span<const ReadyEngine> double_table_engines();
+[[nodiscard]] std::span<const ReadyEngine> double_rolling_engines();
+[[nodiscard]] std::span<const ReadyEngine> double_cloth_engines();
+[[nodiscard]] std::span<const ReadyEngine> double_cloth_han_engines();
 [[nodiscard]] std::span<const ReadyEngine> extended_engines();
 [[nodiscard]] std::span<const ReadyEngine> quad_engines();
 [[nodiscard]] std::span<const ReadyEngine> digits50_engines();

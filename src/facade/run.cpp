@@ -5,6 +5,32 @@
 
 namespace osculo {
 
+namespace {
+
+double decayed(double w, double loss) {
+    return w > loss ? w - loss : w < -loss ? w + loss : 0.0;
+}
+
+BallState state_in(const Piece& piece, double radius, const math::WidePoint<double>& start,
+                   double wait) {
+    const math::Vec<double> velocity{piece.velocity.x, piece.velocity.y};
+    const math::Vec<double> half_acceleration{piece.acceleration.x / 2, piece.acceleration.y / 2};
+    const math::Vec<double> p =
+        math::displaced<double>(start, velocity, half_acceleration, wait).rounded();
+    const math::Vec<double> v = velocity + 2 * wait * half_acceleration;
+    BallState state{{p.x(), p.y()}, {v.x(), v.y()}, piece.spin};
+    if (piece.phase == Phase::rolling) {
+        state.spin = {-v.y() / radius, v.x() / radius, piece.spin[2]};
+    } else {
+        state.spin[0] += piece.spin_rate[0] * wait;
+        state.spin[1] += piece.spin_rate[1] * wait;
+    }
+    state.spin[2] = decayed(piece.spin[2], piece.spin_rate[2] * wait);
+    return state;
+}
+
+}  // namespace
+
 std::array<std::string, 2> Run::ids(const Event& event) const {
     const std::string& ball = scene.balls[event.ball].id;
     switch (event.kind) {
@@ -13,6 +39,7 @@ std::array<std::string, 2> Run::ids(const Event& event) const {
         case EventKind::ball_segment: return {ball, scene.segments[event.other].id};
         case EventKind::ball_arc: return {ball, scene.arcs[event.other].id};
         case EventKind::ball_point: return {ball, points[event.other]};
+        case EventKind::transition: return {ball, {}};
     }
     return {ball, {}};
 }
@@ -24,9 +51,7 @@ std::optional<BallState> Run::at(std::uint32_t index, double t) const {
                                             math::two_sum(piece.position.y, piece.position_low.y)};
         const double wait = math::duration<double>(math::two_sum(piece.from, piece.from_low),
                                                    math::Instant<double>(t));
-        const math::Vec<double> velocity{piece.velocity.x, piece.velocity.y};
-        const math::Vec<double> p = math::displaced<double>(start, velocity, wait).rounded();
-        return BallState{{p.x(), p.y()}, piece.velocity, piece.spin};
+        return state_in(piece, scene.balls[index].radius, start, wait);
     }
     return std::nullopt;
 }

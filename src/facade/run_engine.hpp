@@ -1,6 +1,7 @@
 #pragma once
 
 #include <string>
+#include <type_traits>
 #include <utility>
 
 #include "compile_scene.hpp"
@@ -35,20 +36,22 @@ template <class Type>
         run.pieces.reserve(engine.recorder().pieces.size());
         for (const auto& piece : engine.recorder().pieces)
             run.pieces.push_back(convert.piece(piece));
-        if (audit) {
-            run.audit = convert.audit(
-                engine::audit<Type>(start, engine.recorder(), engine.bodies(), engine.time()));
+        if constexpr (!Type::Motion::kTransitions) {
+            if (audit) {
+                run.audit = convert.audit(
+                    engine::audit<Type>(start, engine.recorder(), engine.bodies(), engine.time()));
+            }
         }
     }
     run.points = std::move(compiled.points);
     return run;
 }
 
-/// "uniform/segments+points/double/pieces/all-pairs".
+/// "uniform/restitution/segments+points/double/pieces/all-pairs".
 template <class Type>
 [[nodiscard]] std::string engine_name(const char* obstacles, const char* scalar) {
-    return concatenated(Type::Motion::kName, "/", obstacles, "/", scalar, "/",
-                        Type::Recorder::kName, "/", Type::BroadPhase::kName);
+    return concatenated(Type::Motion::kName, "/", Type::Impact::kName, "/", obstacles, "/", scalar,
+                        "/", Type::Recorder::kName, "/", Type::BroadPhase::kName);
 }
 
 /// The scalar types by their names on the command line.
@@ -98,20 +101,32 @@ struct ObstacleName<engine::Table> {
     static constexpr const char* kName = "rims+segments+arcs+points";
 };
 
-template <math::Scalar S, class ObstacleKinds, template <class> class Recorder,
-          template <class> class BroadPhase>
+/// The scene's cushion law that an engine has; laws without spin have restitution only.
+template <class Laws>
+inline constexpr CushionLaw kCushionLaw = CushionLaw::restitution;
+template <>
+inline constexpr CushionLaw kCushionLaw<engine::WithFriction<impact::CushionHan2005>> =
+    CushionLaw::han_2005;
+
+template <class Type>
 [[nodiscard]] ReadyEngine ready_engine() {
-    using Type = engine::UniformScene<S, ObstacleKinds, Recorder, BroadPhase>;
-    return {
-        PrecisionOf<S>::kPrecision,
-        ObstacleName<ObstacleKinds>::kSegments,
-        ObstacleName<ObstacleKinds>::kArcsAndRims,
-        Recorder<S>::kPieces   ? Record::pieces
-        : Recorder<S>::kEvents ? Record::events
-                               : Record::none,
-        BroadPhase<S>::kCrossings,
-        [] { return engine_name<Type>(ObstacleName<ObstacleKinds>::kName, PrecisionOf<S>::kName); },
-        &run_engine<Type>};
+    using S = typename Type::Scalar;
+    using Name = ObstacleName<typename Type::ObstacleList>;
+    ReadyEngine engine;
+    engine.precision = PrecisionOf<S>::kPrecision;
+    engine.motion = std::is_same_v<typename Type::Motion, motion::Cloth>     ? MotionKind::cloth
+                    : std::is_same_v<typename Type::Motion, motion::Rolling> ? MotionKind::rolling
+                                                                             : MotionKind::uniform;
+    engine.cushion = kCushionLaw<typename Type::Impact>;
+    engine.segments = Name::kSegments;
+    engine.arcs_and_rims = Name::kArcsAndRims;
+    engine.record = Type::Recorder::kPieces   ? Record::pieces
+                    : Type::Recorder::kEvents ? Record::events
+                                              : Record::none;
+    engine.cell_grid = Type::BroadPhase::kCrossings;
+    engine.name = [] { return engine_name<Type>(Name::kName, PrecisionOf<S>::kName); };
+    engine.run = &run_engine<Type>;
+    return engine;
 }
 
 }  // namespace osculo::facade

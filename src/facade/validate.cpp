@@ -3,6 +3,7 @@
 #include <string>
 #include <unordered_map>
 
+#include "cue.hpp"
 #include "osculo/math/error_bounds.hpp"
 #include "osculo/scene.hpp"
 #include "outline.hpp"
@@ -14,6 +15,7 @@ namespace {
 
 using facade::concatenated;
 using facade::number_text;
+using facade::validate_cue;
 
 /// Beyond these, squares and products of quantities of one scene leave the range of double.
 constexpr double kLargest = 1e100;
@@ -71,6 +73,8 @@ void validate_balls(const Scene& scene, Ids& ids) {
         require_size(ball.radius, at("balls", i, ".radius"));
         require_point(ball.position, kLargest, at("balls", i, ".position"));
         require_point(ball.velocity, kFastest, at("balls", i, ".velocity"));
+        require(ball.inertia > 0 && ball.inertia <= 1, at("balls", i, ".inertia"),
+                "must be above 0 and at most 1", ball.inertia);
         for (const double w : ball.spin) {
             require(std::abs(w) <= kFastest, at("balls", i, ".spin"), "must be at most 1e150", w);
         }
@@ -111,13 +115,53 @@ void validate_obstacles(const Scene& scene, Ids& ids) {
     }
 }
 
+void require_friction(double value, const char* path) {
+    require(value >= 0 && value <= kLargest, path, "must be >= 0 and finite", value);
+}
+
+/// Frictions, and that only scenes with cloth ask for spin.
+void validate_friction(const Scene& scene) {
+    const BallBallImpact& balls = scene.impacts.ball_ball;
+    const CushionImpact& cushion = scene.impacts.ball_cushion;
+    const auto* cloth = std::get_if<ClothMotion>(&scene.motion);
+    if (const auto* rolling = std::get_if<RollingMotion>(&scene.motion)) {
+        require_friction(rolling->friction, "motion.friction");
+    }
+    if (cloth != nullptr) {
+        require_friction(cloth->sliding_friction, "motion.sliding_friction");
+        require_friction(cloth->rolling_friction, "motion.rolling_friction");
+        require_friction(cloth->spinning_friction, "motion.spinning_friction");
+    }
+    const auto needs_cloth = [&](bool uses_spin, const char* path, const char* value) {
+        if (uses_spin && cloth == nullptr) {
+            throw SceneError(path, "needs balls with spin, that is, the motion law cloth", value);
+        }
+    };
+    needs_cloth(balls.law == BallBallLaw::frictional, "impacts.ball_ball.law", "frictional");
+    needs_cloth(cushion.law != CushionLaw::restitution, "impacts.ball_cushion.law",
+                "a law with friction");
+    needs_cloth(scene.cue.has_value(), "cue", "a cue");
+    for (const double f : balls.friction) require_friction(f, "impacts.ball_ball.friction");
+    require(scene.impacts.contact_time >= 0 && scene.impacts.contact_time <= 1,
+            "impacts.contact_time", "must be from 0 to 1 s", scene.impacts.contact_time);
+    if (cushion.law == CushionLaw::restitution) return;
+    require_friction(cushion.friction, "impacts.ball_cushion.friction");
+    for (const Ball& ball : scene.balls) {
+        require(cushion.height > 0 && cushion.height < 2 * ball.radius,
+                "impacts.ball_cushion.height", "must be above 0 and below every ball's top",
+                cushion.height);
+    }
+}
+
 void validate_laws(const Scene& scene) {
     const auto restitution = [](double e, const char* path) {
         require(e >= 0 && e <= 1, path, "must be from 0 to 1", e);
     };
     restitution(scene.impacts.ball_ball.restitution, "impacts.ball_ball.restitution");
     restitution(scene.impacts.ball_cushion.restitution, "impacts.ball_cushion.restitution");
-    require(std::isfinite(scene.gravity), "gravity", "must be finite", scene.gravity);
+    validate_friction(scene);
+    require(scene.gravity >= 0 && std::isfinite(scene.gravity), "gravity",
+            "must be >= 0 and finite", scene.gravity);
     require(scene.limits.time > 0 && std::isfinite(scene.limits.time), "limits.time",
             "must be > 0 and finite", scene.limits.time);
     require(scene.limits.events > 0, "limits.events", "must be > 0", 0);
@@ -223,6 +267,7 @@ void validate(const Scene& scene) {
     validate_balls(scene, ids);
     validate_obstacles(scene, ids);
     validate_laws(scene);
+    validate_cue(scene);
     validate_places(scene);
     validate_closed(scene);
 }

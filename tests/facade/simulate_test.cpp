@@ -74,21 +74,23 @@ TEST(Simulate, RecordsWhatIsAskedFor) {
 // Narrow and wide engines, bit for bit: an obstacle far away asks for the wider one.
 TEST(Simulate, NarrowAndWideEnginesAgree) {
     for (unsigned seed = 0; seed < 50; ++seed) {
-        Scene scene = random_scene(seed);
+        Scene scene = random_scene(seed, 3);
         const auto walls = simulate(scene);
-        EXPECT_EQ(walls.engine.name, "uniform/segments+points/double/pieces/all-pairs");
+        EXPECT_EQ(walls.engine.name, "uniform/restitution/segments+points/double/pieces/all-pairs");
         scene.rims.push_back({"far", {1000, 1000}, 1});
         const auto table = simulate(scene);
-        EXPECT_EQ(table.engine.name, "uniform/rims+segments+arcs+points/double/pieces/all-pairs");
+        EXPECT_EQ(table.engine.name,
+                  "uniform/restitution/rims+segments+arcs+points/double/pieces/all-pairs");
         expect_same(walls, table);
         EXPECT_EQ(walls.events, table.events);
-        // 64 balls that never move switch to the grid.
+        // Balls that never move switch to the grid.
         for (int i = 0; i < 64; ++i) {
             scene.balls.push_back(
                 test::ball(std::string("idle-").append(std::to_string(i)), {-100.0 - 2 * i, -100}));
         }
         const auto grid = simulate(scene);
-        EXPECT_EQ(grid.engine.name, "uniform/rims+segments+arcs+points/double/pieces/cell-grid");
+        EXPECT_EQ(grid.engine.name,
+                  "uniform/restitution/rims+segments+arcs+points/double/pieces/cell-grid");
         EXPECT_EQ(grid.events, table.events);
     }
 }
@@ -97,7 +99,7 @@ TEST(Simulate, OpenSceneLeavesOutObstacles) {
     Scene scene;
     scene.balls = {test::ball("a", {0, 0}, {1, 0}), test::ball("b", {3, 0})};
     const EngineInfo info = choose_engine(scene);
-    EXPECT_EQ(info.name, "uniform/open/double/pieces/all-pairs");
+    EXPECT_EQ(info.name, "uniform/restitution/open/double/pieces/all-pairs");
     EXPECT_GE(info.left_out.size(), 4U);
 }
 

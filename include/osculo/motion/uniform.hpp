@@ -7,6 +7,12 @@ namespace osculo::motion {
 /// Free flight, x + v t (PHYSICS 2).
 struct Uniform {
     static constexpr const char* kName = "uniform";
+    static constexpr bool kTransitions = false;
+    static constexpr bool kSpin = false;
+
+    /// Nothing to know.
+    template <math::Scalar S>
+    struct Parameters {};
 
     /// Place and motion of a ball at its own clock.
     template <math::Scalar S>
@@ -25,6 +31,12 @@ struct Uniform {
     template <math::Scalar S>
     static void advance(State<S>& state, const S& t) {
         state.position = math::displaced<S>(state.position, state.velocity, t);
+    }
+
+    /// At least the length of the way that the state goes in t [s].
+    template <math::Scalar S>
+    [[nodiscard]] static S travel(const State<S>& state, const S& t) {
+        return math::norm1<S>(state.velocity) * t;
     }
 
     template <math::Scalar S>
