@@ -111,9 +111,7 @@ struct BallBallImpact {
 
 enum class CushionLaw {
     restitution,  ///< frictionless
-    han_2005,     ///< these need cloth
-    mathavan_2010,
-    stronge,
+    han_2005,     ///< restitution and friction at a nose above the ball's middle; needs cloth
 };
 
 /// The law as it is written in files: "restitution", "han_2005", ...

@@ -178,8 +178,8 @@ private:
         }
     }
     void shot() {
-        record_.shots.push_back({word(), word(), word(), word(), word(), word(), number(), {}, {},
-                                 {}, {}});
+        record_.shots.push_back(
+            {word(), word(), word(), word(), word(), word(), number(), {}, {}, {}, {}});
         last_.clear();
     }
     void cue() {
@@ -221,6 +221,8 @@ private:
 
 }  // namespace detail
 
-[[nodiscard]] inline Record read(const std::string& path) { return detail::Reader(path).read(); }
+[[nodiscard]] inline Record read(const std::string& path) {
+    return detail::Reader(path).read();
+}
 
 }  // namespace osculo::support::pool_shots

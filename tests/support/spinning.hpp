@@ -21,9 +21,9 @@ template <math::Scalar S>
 /// The speed scale of a ball's rounding errors: |v| + r |w|.
 template <math::Scalar S>
 [[nodiscard]] S speed_scale(const impact::SpinningBall<S>& b) {
-    return math::norm<S>(b.velocity) + b.radius * (math::abs<S>(b.spin.x()) +
-                                                   math::abs<S>(b.spin.y()) +
-                                                   math::abs<S>(b.spin.z()));
+    return math::norm<S>(b.velocity) +
+           b.radius *
+               (math::abs<S>(b.spin.x()) + math::abs<S>(b.spin.y()) + math::abs<S>(b.spin.z()));
 }
 
 /// Largest difference of velocities and of k r times the spins.

@@ -41,10 +41,9 @@ void resolve_tilted_plane(const std::type_identity_t<S>& e, const std::type_iden
     const S c_squared = (S(1) - s) * (S(1) + s);
     const S c = math::square_root<S>(c_squared);
     const math::Vec<S> spin(ball.spin.x(), ball.spin.y());
-    const math::Vec<S> slip(
-        s * approach + ball.radius * math::dot<S>(t, spin),
-        math::dot<S>(t, ball.velocity) +
-            ball.radius * (c * ball.spin.z() - s * math::dot<S>(n, spin)));
+    const math::Vec<S> slip(s * approach + ball.radius * math::dot<S>(t, spin),
+                            math::dot<S>(t, ball.velocity) +
+                                ball.radius * (c * ball.spin.z() - s * math::dot<S>(n, spin)));
 
     // vn (1 - (1 + e) c^2) is a restitution of its own.
     Restitution::resolve<S>(s == S(0) ? e : S((S(1) + e) * c_squared - S(1)), normal,

@@ -11,9 +11,9 @@ namespace osculo::math {
 
 /// pi / 2 as an unevaluated sum, exact to 427 bits; each part serves a type of 53 bits or more.
 inline constexpr std::array<double, 8> kQuarterTurn = {
-    0x1.921fb54442d18p+0,    0x1.1a62633145c07p-54,   -0x1.f1976b7ed8fbcp-110,
-    0x1.4cf98e804177dp-164,  0x1.31d89cd9128a5p-218,  0x1.0f31c6809bbdfp-276,
-    0x1.519b3cd3a431bp-331,  0x1.8158536f92f8ap-386};
+    0x1.921fb54442d18p+0,   0x1.1a62633145c07p-54,  -0x1.f1976b7ed8fbcp-110,
+    0x1.4cf98e804177dp-164, 0x1.31d89cd9128a5p-218, 0x1.0f31c6809bbdfp-276,
+    0x1.519b3cd3a431bp-331, 0x1.8158536f92f8ap-386};
 
 /// pi / 2, rounded.
 template <Scalar S>

@@ -1,3 +1,5 @@
+#include "osculo/impact/cue_strike.hpp"
+
 #include <cmath>
 #include <limits>
 #include <numbers>
@@ -5,7 +7,6 @@
 #include <Eigen/Geometry>
 #include <gtest/gtest.h>
 
-#include "osculo/impact/cue_strike.hpp"
 #include "support/spinning.hpp"
 
 namespace osculo::impact {

@@ -19,7 +19,7 @@ class Elementary : public testing::Test {
 protected:
     static double error(const S& computed, const Digits50& exact) {
         return std::abs(static_cast<double>((support::exact<Digits50>(computed) - exact) /
-                                        support::exact<Digits50>(epsilon<S>())));
+                                            support::exact<Digits50>(epsilon<S>())));
     }
 };
 TYPED_TEST_SUITE(Elementary, support::NativeScalars, support::ScalarName);
@@ -30,7 +30,8 @@ TYPED_TEST(Elementary, Exponential) {
     double worst = 0;
     for (int i = 0; i < 20000; ++i) {
         const S x = random.magnitude<S>(-40, 9);
-        worst = std::max(worst, this->error(decaying_exponential<S>(x), exp(-support::exact<Digits50>(x))));
+        worst = std::max(
+            worst, this->error(decaying_exponential<S>(x), exp(-support::exact<Digits50>(x))));
     }
     this->RecordProperty("worst_in_tenths", static_cast<int>(10 * worst));
     EXPECT_LE(worst, kExponentialError);
@@ -67,8 +68,9 @@ TYPED_TEST(Elementary, FirstQuadrantAngle) {
         const S y = random.magnitude<S>(-60, 3);
         const S x = random.magnitude<S>(-60, 3);
         const Digits50 exact = atan2(support::exact<Digits50>(y), support::exact<Digits50>(x));
-        worst = std::max(worst,
-                         this->error(first_quadrant_angle<S>(y, x) / support::rounded<S>(exact), Digits50(1)));
+        worst = std::max(
+            worst,
+            this->error(first_quadrant_angle<S>(y, x) / support::rounded<S>(exact), Digits50(1)));
     }
     EXPECT_LE(worst, 10);
     EXPECT_EQ(first_quadrant_angle<S>(S(0), S(1)), S(0));

@@ -43,8 +43,8 @@ struct Case {
     [[nodiscard]] std::string described() const {
         std::ostringstream out;
         out << std::hexfloat << "normal " << normal.transpose() << ", e " << law.restitution
-            << ", mu " << law.friction.a << ' ' << law.friction.b << ", "
-            << support::described(one) << ", " << support::described(other);
+            << ", mu " << law.friction.a << ' ' << law.friction.b << ", " << support::described(one)
+            << ", " << support::described(other);
         return out.str();
     }
 };
@@ -68,20 +68,21 @@ TEST(RandomBallBall, LawsOfMechanics) {
 
         const double before = support::energy(c.one) + support::energy(c.other);
         const double after = support::energy(one) + support::energy(other);
-        const double speeds = math::norm<double>(c.one.velocity) +
-                              math::norm<double>(c.other.velocity) + 1e-300;
+        const double speeds =
+            math::norm<double>(c.one.velocity) + math::norm<double>(c.other.velocity) + 1e-300;
         if (before > 0) gain = std::max(gain, (after - before) / before / kEpsilon);
-        approach = std::max(approach,
-                            math::dot<double>(one.velocity - other.velocity, unit) / speeds / kEpsilon);
+        approach = std::max(
+            approach, math::dot<double>(one.velocity - other.velocity, unit) / speeds / kEpsilon);
 
         const Point p = c.one.mass * c.one.velocity + c.other.mass * c.other.velocity;
         const Point q = one.mass * one.velocity + other.mass * other.velocity;
         const double scale = c.one.mass * support::speed_scale(c.one) +
                              c.other.mass * support::speed_scale(c.other) + 1e-300;
         momentum = std::max(momentum, math::norm_max<double>(q - p) / scale / kEpsilon);
-        const double change = angular_momentum_z(one, other, unit) -
-                              angular_momentum_z(c.one, c.other, unit);
-        turning = std::max(turning, std::abs(change) / (scale * (one.radius + other.radius)) / kEpsilon);
+        const double change =
+            angular_momentum_z(one, other, unit) - angular_momentum_z(c.one, c.other, unit);
+        turning =
+            std::max(turning, std::abs(change) / (scale * (one.radius + other.radius)) / kEpsilon);
 
         // Mirrored at an axis and with the balls exchanged: the same bits.
         const Point x(1, 0);
@@ -91,8 +92,8 @@ TEST(RandomBallBall, LawsOfMechanics) {
             << "case " << i << ": " << c.described();
         Ball e1 = c.one, e2 = c.other;
         c.law.resolve(-c.normal, e2, e1);
-        ASSERT_TRUE(same_bits(e1, one) && same_bits(e2, other)) << "case " << i << ": "
-                                                                << c.described();
+        ASSERT_TRUE(same_bits(e1, one) && same_bits(e2, other))
+            << "case " << i << ": " << c.described();
 
         // Mirrored anywhere: to rounding. Where stick meets slide the results meet as well.
         const Point m = random.direction<double>();
@@ -102,9 +103,10 @@ TEST(RandomBallBall, LawsOfMechanics) {
         mirror = std::max({mirror, distance(g1, mirrored(one, m)) / size / kEpsilon,
                            distance(g2, mirrored(other, m)) / size / kEpsilon});
     }
-    std::printf("  in epsilons: gain %.2f, approach %.2f, momentum %.2f, angular momentum %.2f, "
-                "mirror %.2f\n",
-                gain, approach, momentum, turning, mirror);
+    std::printf(
+        "  in epsilons: gain %.2f, approach %.2f, momentum %.2f, angular momentum %.2f, "
+        "mirror %.2f\n",
+        gain, approach, momentum, turning, mirror);
     EXPECT_LE(gain, 8);
     EXPECT_LE(approach, 4);
     EXPECT_LE(momentum, 8);

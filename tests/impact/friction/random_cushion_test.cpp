@@ -9,7 +9,7 @@
 #include "osculo/impact/cushion_stronge.hpp"
 #include "support/spinning.hpp"
 
-// A million random impacts on each cushion. Mathavan's law has a test of its own.
+// A million random impacts on each cushion.
 namespace osculo::impact {
 namespace {
 
@@ -59,8 +59,7 @@ void test(const Resolve& resolve, std::uint64_t seed, double mirror_bound) {
         const Point unit = normal / math::norm<double>(normal);
         const double before = support::energy(start);
         const double scale = support::speed_scale(start) + 1e-300;
-        const double gained =
-            before > 0 ? (support::energy(ball) - before) / before / kEpsilon : 0;
+        const double gained = before > 0 ? (support::energy(ball) - before) / before / kEpsilon : 0;
         ASSERT_LT(gained, 10) << label.str();
         gain = std::max(gain, gained);
         approach = std::max(approach, math::dot<double>(ball.velocity, unit) / scale / kEpsilon);

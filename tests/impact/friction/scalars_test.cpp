@@ -1,13 +1,13 @@
+#include "support/scalars.hpp"
+
 #include <gtest/gtest.h>
 
 #include "osculo/impact/cue_strike.hpp"
 #include "osculo/impact/cushion_han_2005.hpp"
-#include "osculo/impact/cushion_mathavan_2010.hpp"
 #include "osculo/impact/cushion_simple.hpp"
 #include "osculo/impact/cushion_stronge.hpp"
 #include "osculo/impact/frictional.hpp"
 #include "support/exact.hpp"
-#include "support/scalars.hpp"
 #include "support/spinning.hpp"
 
 // Every law in every scalar type, against the same in 100 digits.
@@ -33,8 +33,7 @@ double error(const SpinningBall<S>& a, const SpinningBall<Digits100>& b) {
     double worst = 0;
     const auto regard = [&](const S& x, const Digits100& y) {
         const Digits100 difference = support::exact<Digits100>(x) - y;
-        const Digits100 in_epsilons =
-            difference / support::exact<Digits100>(math::epsilon<S>());
+        const Digits100 in_epsilons = difference / support::exact<Digits100>(math::epsilon<S>());
         worst = std::max(worst, std::abs(static_cast<double>(in_epsilons)));
     };
     for (int i = 0; i < 2; ++i) regard(a.velocity[i], b.velocity[i]);
@@ -75,15 +74,6 @@ TYPED_TEST(Scalars, Cushions) {
     EXPECT_LE(worst_error<S>(200, simple), 64);
     EXPECT_LE(worst_error<S>(200, han), 64);
     EXPECT_LE(worst_error<S>(60, stronge), 200);
-}
-
-// Its error grows where a slip passes zero closely.
-TYPED_TEST(Scalars, Mathavan) {
-    using S = TypeParam;
-    const auto law = []<class T>(SpinningBall<T>& b) {
-        CushionMathavan2010<T>{T(0.875), T(0.1875), T(0.625), T(0.25)}.resolve(normal<T>(), b);
-    };
-    EXPECT_LE(worst_error<S>(3, law), 3000);
 }
 
 TYPED_TEST(Scalars, BallBall) {
