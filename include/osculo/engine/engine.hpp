@@ -227,22 +227,32 @@ void Engine<Type>::predict_ball(BallIndex i, const Path& path, BallIndex j, Sche
     const BodyType& one = scene_.bodies[i];
     const BodyType& other = scene_.bodies[j];
     if (!other.present) return;
-    // Both from the later of the two clocks, so that the result depends only on the two states and
-    // not on the instant or the ball that asks for it.
-    Path first = path;
-    Path second = Type::Motion::template path<S>(other.state);
-    Instant start = one.clock;
-    if (one.clock < other.clock) {
-        start = other.clock;
-        first.shift(math::duration<S>(one.clock, start));
-    } else if (other.clock < one.clock) {
-        second.shift(math::duration<S>(other.clock, start));
-    }
     const bool resolved = one.last_kind == kBallBall && one.last_other == j &&
                           other.last_kind == kBallBall && other.last_other == i;
-    const S wait = first_contact(first, second, S(one.radius + other.radius),
-                                 math::ContactHistory<S>{resolved, S(one.noise + other.noise)},
-                                 horizon(start, best));
+    // Both from the later of the two clocks, so that the result depends only on the two states and
+    // not on the instant or the ball that asks for it.
+    const bool first_is_older = one.clock < other.clock;
+    const Instant& start = first_is_older ? other.clock : one.clock;
+    const S first_shift = first_is_older ? math::duration<S>(one.clock, start) : S(0);
+    const S second_shift = first_is_older ? S(0) : math::duration<S>(other.clock, start);
+    Path second = Type::Motion::template path<S>(other.state);
+    const S reach = one.radius + other.radius;
+    const S latest = horizon(start, best);
+    if constexpr (requires {
+                      detect::certainly_apart(path, first_shift, second, second_shift, reach,
+                                              latest);
+                  }) {
+        if (!resolved &&
+            detect::certainly_apart(path, first_shift, second, second_shift, reach, latest)) {
+            return;
+        }
+    }
+    Path first = path;
+    if (first_shift > S(0)) first.shift(first_shift);
+    if (second_shift > S(0)) second.shift(second_shift);
+    const S wait =
+        first_contact(first, second, reach,
+                      math::ContactHistory<S>{resolved, S(one.noise + other.noise)}, latest);
     offer(kBallBall, i, j, other.age, start, wait, best);
 }
 
