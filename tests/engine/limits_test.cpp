@@ -112,18 +112,18 @@ TEST(Limits, ImpactsWithoutEndAreZeno) {
     circle.restitution(0.1, 0.1).circle({0, 0}, 10).ball({5, 0}, {0.3, 1});
     const auto sliding = play<Scene>(circle.scene, 1000);
     EXPECT_EQ(sliding.status, Status::zeno);
-    EXPECT_LT(sliding.events, 101'000u);
+    EXPECT_LT(sliding.events, 2000u);
     EXPECT_TRUE(sliding.audit().clean) << describe(sliding.audit());
     EXPECT_NEAR(math::norm<double>(sliding.position(0)), 9, 1e-14);
 
-    // And one that is driven into a narrow wedge: it settles there after thousands of bounces.
+    // And one that is driven into a narrow wedge.
     Builder<Scene> wedge;
     wedge.restitution(0, 0.1)
         .outline({Vec(0, 0), Vec(10, 0), Vec(0, 1)})
         .ball({1, 0.4}, {1, 0.1}, 0.2);
     const auto jammed = play<Scene>(wedge.scene, 1e6);
-    EXPECT_TRUE(jammed.status == Status::zeno || jammed.status == Status::time_limit);
-    EXPECT_LT(jammed.events, 101'000u);
+    EXPECT_EQ(jammed.status, Status::zeno);
+    EXPECT_LT(jammed.events, 2000u);
     EXPECT_TRUE(jammed.audit().clean) << describe(jammed.audit());
 }
 
