@@ -148,9 +148,7 @@ private:
 template <class Type>
 Status Engine<Type>::run(const RunLimits<S>& limits) {
     const Instant end{limits.time};
-    // A ball wedged between two points bounces some thousand times within one instant and comes
-    // free.
-    const std::uint64_t most_at_one_instant = 100'000 + 100 * std::uint64_t(scene_.bodies.size());
+    const std::uint64_t most_at_one_instant = 1000 + 100 * std::uint64_t(scene_.bodies.size());
     std::uint64_t at_this_instant = 0;
     for (;;) {
         if (queue_.empty() || queue_.top().kind == kNothing) {
