@@ -123,18 +123,20 @@ TEST(SceneErrors, UnknownLawsAndNames) {
          "schema: must be osculo/scene-1, but it is \"osculo/scene-2\""},
         {R"({"schema": "osculo/run-1"})",
          "schema: must be osculo/scene-1, but it is \"osculo/run-1\""},
-        {with(R"("motion": {"law": "cloth", "sliding_friction": 0.2})"),
-         "motion.law: must be uniform (rolling, resisted and cloth are not available yet), "
-         "but it is \"cloth\""},
+        {with(R"("motion": {"law": "resisted", "linear": 0.2})"),
+         "motion.law: must be uniform, rolling or cloth (resisted is not available yet), "
+         "but it is \"resisted\""},
         {with(R"("motion": {"law": "unifrom"})"),
-         "motion.law: must be uniform (rolling, resisted and cloth are not available yet), "
-         "but it is \"unifrom\""},
+         "motion.law: must be uniform, rolling or cloth (resisted is not available yet), "
+         "did you mean uniform?, but it is \"unifrom\""},
         {with(R"("impacts": {"ball_ball": {"law": "frictional", "friction": 0.05}})"),
-         "impacts.ball_ball.law: must be restitution (frictional is not available yet), "
-         "but it is \"frictional\""},
-        {with(R"("impacts": {"ball_cushion": {"law": "han_2005"}})"),
-         "impacts.ball_cushion.law: must be restitution (han_2005, mathavan_2010 and stronge are "
-         "not available yet), but it is \"han_2005\""},
+         "impacts.ball_ball.law: needs balls with spin, that is, the motion law cloth, "
+         "but it is frictional"},
+        {with(R"("impacts": {"ball_cushion": {"law": "stronge"}})"),
+         "impacts.ball_cushion.law: must be restitution or han_2005 (mathavan_2010 and stronge are "
+         "not available yet), but it is \"stronge\""},
+        {with(R"("cue": {"ball": "a", "speed": 1, "azimuth": 0})"),
+         "cue: needs balls with spin, that is, the motion law cloth, but it is a cue"},
         {with(R"("impacts": {"simultaneous": "symmetric"})"),
          "impacts.simultaneous: must be sequential (symmetric is not available yet), "
          "but it is \"symmetric\""},

@@ -1,0 +1,60 @@
+#include <gtest/gtest.h>
+
+#include "osculo/io.hpp"
+#include "osculo/presets.hpp"
+#include "osculo/simulate.hpp"
+
+namespace osculo::io {
+namespace {
+
+/// A short shot with everything that a cloth brings along.
+Scene shot() {
+    Scene scene;
+    presets::add_table(scene, "pool-7ft");
+    scene.balls = {{"cue", 0.17, 0.028575, {0.5, 0.5}, {}, {}},
+                   {"1", 0.17, 0.028575, {0.52, 1.2}, {}, {}, 0.35}};
+    scene.motion = ClothMotion{0.21, 0.011, 0.013};
+    scene.impacts.ball_ball = {BallBallLaw::frictional, 0.95, {0.009951, 0.108, 1.088}};
+    scene.impacts.ball_cushion = {CushionLaw::han_2005, 0.85, 0.2, 0.036576};
+    scene.impacts.contact_time = 2e-4;
+    Cue cue;
+    cue.ball = "cue";
+    cue.speed = 2.5;
+    cue.azimuth = 1.57;
+    cue.elevation = 0.1;
+    cue.offset = {0.2, -0.3};
+    scene.cue = cue;
+    return scene;
+}
+
+TEST(ClothJson, ASceneComesBackAsItWas) {
+    const Scene scene = shot();
+    EXPECT_EQ(scene_from_json(scene_to_json(scene)), scene);
+    Scene rolling = shot();
+    rolling.motion = RollingMotion{0.02};
+    rolling.impacts = {};
+    rolling.cue.reset();
+    EXPECT_EQ(scene_from_json(scene_to_json(rolling)), rolling);
+}
+
+TEST(ClothJson, ARunComesBackAsItWas) {
+    const auto run = simulate(shot());
+    EXPECT_EQ(run.status, Status::at_rest);
+    const auto again = run_from_json(run_to_json(run));
+    EXPECT_EQ(again.scene, run.scene);
+    EXPECT_EQ(again.events, run.events);
+    EXPECT_EQ(again.pieces, run.pieces);
+    EXPECT_EQ(again.balls, run.balls);
+    int transitions = 0;
+    for (const Event& event : run.events) transitions += event.kind == EventKind::transition;
+    EXPECT_GT(transitions, 2);
+}
+
+TEST(ClothJson, APictureShowsCurvesAndNoTransitions) {
+    const std::string svg = to_svg(simulate(shot()));
+    EXPECT_NE(svg.find("cue meets"), std::string::npos);
+    EXPECT_EQ(svg.find("transition"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace osculo::io
