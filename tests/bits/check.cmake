@@ -1,5 +1,6 @@
 # Usage: cmake -DSOURCE=scenes.cpp -DINCLUDES=dir;dir -DGCC=... -DCLANG=... -DOUT=dir -P check.cmake
 # Builds the program in several ways and fails unless all print the same.
+cmake_minimum_required(VERSION 3.25)
 set(ways "${GCC} -O0" "${GCC} -O2" "${GCC} -O3 -march=native")
 if(CLANG)
   list(APPEND ways "${CLANG} -O0" "${CLANG} -O2")

@@ -1,5 +1,6 @@
 # Usage: cmake -DINCLUDE_DIR=... -DSOURCE_DIR=... -P check.cmake
 # Fails if a header includes one of a layer to its right, or if a library is used outside of its place.
+cmake_minimum_required(VERSION 3.25)
 set(layers math geometry motion detect impact engine)
 set(failures)
 
