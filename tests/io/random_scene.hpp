@@ -25,7 +25,7 @@ inline Scene random_scene(std::uint64_t seed) {
     const auto next_place = [&] { return Point{place *= 4, maybe_zero(any(0))}; };
 
     Scene scene;
-    scene.gravity = any(3);
+    scene.gravity = std::abs(any(3));
     const auto count = [&] { return static_cast<int>(4 * uniform()); };
     for (int i = count(); i >= 0; --i) {
         Ball ball;
