@@ -13,12 +13,13 @@ int main() {
     if (run.events.size() != 1 || run.events[0].time != 2) return 1;
 
     namespace engine = osculo::engine;
+    using Vec = osculo::math::Vec<double>;
     using Type =
         engine::UniformScene<double, engine::NoObstacles, engine::NoRecorder, engine::AllPairs>;
     engine::SceneData<Type> data;
     data.bodies.resize(2);
-    data.bodies[0].state = {osculo::math::WidePoint<double>({0, 0}), {1, 0}};
-    data.bodies[1].state = {osculo::math::WidePoint<double>({3, 0}), {0, 0}};
+    data.bodies[0].state = {osculo::math::WidePoint<double>(Vec(0, 0)), Vec(1, 0)};
+    data.bodies[1].state = {osculo::math::WidePoint<double>(Vec(3, 0)), Vec(0, 0)};
     engine::Engine<Type> core(std::move(data));
     core.run({5, 100});
     if (core.event_count() != 1) return 1;
