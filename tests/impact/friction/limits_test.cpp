@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "osculo/impact/cushion_han_2005.hpp"
+#include "osculo/impact/cushion_mathavan_2010.hpp"
 #include "osculo/impact/cushion_simple.hpp"
 #include "osculo/impact/cushion_stronge.hpp"
 #include "osculo/impact/frictional.hpp"
@@ -26,6 +27,9 @@ void for_each_cushion(double e, double mu, double height, const Check& check) {
     check("stronge", [=](const Point& n, Ball& b) {
         CushionStronge<double>{e, mu, height * b.radius}.resolve(n, b);
     });
+    check("mathavan", [=](const Point& n, Ball& b) {
+        CushionMathavan2010<double>{e, mu, height * b.radius, mu}.resolve(n, b);
+    });
 }
 
 TEST(Limits, NoFrictionIsRestitutionBitForBit) {
@@ -47,6 +51,11 @@ TEST(Limits, NoFrictionIsRestitutionBitForBit) {
         va = one.velocity;
         Restitution::resolve<double>(e, towards, va);
         ASSERT_TRUE(a.velocity == va && a.spin == one.spin);
+        // Mathavan's cushion without friction and upright is the same to rounding.
+        a = one;
+        CushionMathavan2010<double>{e, 0, a.radius, 0}.resolve(towards, a);
+        ASSERT_LE((a.velocity - va).norm(), 1e-13 * one.velocity.norm()) << i;
+        ASSERT_EQ(a.spin, one.spin);
     }
 }
 

@@ -9,7 +9,7 @@
 #include "osculo/impact/cushion_stronge.hpp"
 #include "support/spinning.hpp"
 
-// A million random impacts on each cushion.
+// A million random impacts on each cushion. Mathavan's law has a test of its own.
 namespace osculo::impact {
 namespace {
 

@@ -4,6 +4,7 @@
 
 #include "osculo/impact/cue_strike.hpp"
 #include "osculo/impact/cushion_han_2005.hpp"
+#include "osculo/impact/cushion_mathavan_2010.hpp"
 #include "osculo/impact/cushion_simple.hpp"
 #include "osculo/impact/cushion_stronge.hpp"
 #include "osculo/impact/frictional.hpp"
@@ -74,6 +75,15 @@ TYPED_TEST(Scalars, Cushions) {
     EXPECT_LE(worst_error<S>(200, simple), 64);
     EXPECT_LE(worst_error<S>(200, han), 64);
     EXPECT_LE(worst_error<S>(60, stronge), 200);
+}
+
+// Its error grows where a slip passes zero closely.
+TYPED_TEST(Scalars, Mathavan) {
+    using S = TypeParam;
+    const auto law = []<class T>(SpinningBall<T>& b) {
+        CushionMathavan2010<T>{T(0.875), T(0.1875), T(0.625), T(0.25)}.resolve(normal<T>(), b);
+    };
+    EXPECT_LE(worst_error<S>(3, law), 3000);
 }
 
 TYPED_TEST(Scalars, BallBall) {
