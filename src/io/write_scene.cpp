@@ -1,4 +1,5 @@
 #include "io/json_text.hpp"
+#include "io/members.hpp"
 #include "io/read.hpp"
 #include "osculo/io.hpp"
 
@@ -6,122 +7,106 @@ namespace osculo::io {
 namespace {
 
 void write_ball(JsonText& json, const Ball& ball) {
-    json.raw("{\"id\": ");
-    json.string(ball.id);
-    json.raw(", \"mass\": ");
-    json.number(ball.mass);
-    json.raw(", \"radius\": ");
-    json.number(ball.radius);
-    json.raw(", \"position\": ");
-    json.vector(ball.position);
-    json.raw(", \"velocity\": ");
-    json.vector(ball.velocity);
-    if (!is_plus_zero(ball.spin)) {
-        json.raw(", \"spin\": ");
-        json.vector(ball.spin);
-    }
-    if (ball.inertia != Ball{}.inertia) {
-        json.raw(", \"inertia\": ");
-        json.number(ball.inertia);
-    }
-    json.raw("}");
+    Members members(json);
+    members.string("id", ball.id);
+    members.number("mass", ball.mass);
+    members.number("radius", ball.radius);
+    members.vector("position", ball.position);
+    members.vector("velocity", ball.velocity);
+    members.rare("spin", ball.spin);
+    if (ball.inertia != Ball{}.inertia) members.number("inertia", ball.inertia);
+    members.close();
 }
 
 void write_segment(JsonText& json, const Segment& segment) {
-    json.raw("{\"id\": ");
-    json.string(segment.id);
-    json.raw(", \"from\": ");
-    json.vector(segment.from);
-    json.raw(", \"to\": ");
-    json.vector(segment.to);
-    json.raw(segment.side == Side::left ? ", \"side\": \"left\"}" : ", \"side\": \"both\"}");
+    Members members(json);
+    members.string("id", segment.id);
+    members.vector("from", segment.from);
+    members.vector("to", segment.to);
+    members.string("side", segment.side == Side::left ? "left" : "both");
+    members.close();
 }
 
 void write_arc(JsonText& json, const Arc& arc) {
-    json.raw("{\"id\": ");
-    json.string(arc.id);
-    json.raw(", \"center\": ");
-    json.vector(arc.center);
-    json.raw(", \"radius\": ");
-    json.number(arc.radius);
-    json.raw(", \"from_angle\": ");
-    json.number(arc.from_angle);
-    json.raw(", \"to_angle\": ");
-    json.number(arc.to_angle);
-    json.raw("}");
+    Members members(json);
+    members.string("id", arc.id);
+    members.vector("center", arc.center);
+    members.number("radius", arc.radius);
+    members.number("from_angle", arc.from_angle);
+    members.number("to_angle", arc.to_angle);
+    members.close();
 }
 
 void write_rim(JsonText& json, const Rim& rim) {
-    json.raw("{\"id\": ");
-    json.string(rim.id);
-    json.raw(", \"center\": ");
-    json.vector(rim.center);
-    json.raw(", \"radius\": ");
-    json.number(rim.radius);
-    json.raw(", \"law\": \"capture\"}");
-}
-
-// `, "name": number`
-void write_number(JsonText& json, std::string_view name, double number) {
-    json.raw(", \"");
-    json.raw(name);
-    json.raw("\": ");
-    json.number(number);
+    Members members(json);
+    members.string("id", rim.id);
+    members.vector("center", rim.center);
+    members.number("radius", rim.radius);
+    members.string("law", "capture");
+    members.close();
 }
 
 void write_motion(JsonText& json, const MotionLaw& motion) {
+    Members members(json);
     if (const auto* rolling = std::get_if<RollingMotion>(&motion)) {
-        json.raw("{\"law\": \"rolling\"");
-        write_number(json, "friction", rolling->friction);
+        members.string("law", "rolling");
+        members.number("friction", rolling->friction);
     } else if (const auto* cloth = std::get_if<ClothMotion>(&motion)) {
-        json.raw("{\"law\": \"cloth\"");
-        write_number(json, "sliding_friction", cloth->sliding_friction);
-        write_number(json, "rolling_friction", cloth->rolling_friction);
-        write_number(json, "spinning_friction", cloth->spinning_friction);
+        members.string("law", "cloth");
+        members.number("sliding_friction", cloth->sliding_friction);
+        members.number("rolling_friction", cloth->rolling_friction);
+        members.number("spinning_friction", cloth->spinning_friction);
     } else {
-        json.raw("{\"law\": \"uniform\"");
+        members.string("law", "uniform");
     }
-    json.raw("}");
+    members.close();
+}
+
+void write_ball_ball(JsonText& json, const BallBallImpact& impact) {
+    const bool frictional = impact.law == BallBallLaw::frictional;
+    Members members(json);
+    members.string("law", frictional ? "frictional" : "restitution");
+    members.number("restitution", impact.restitution);
+    if (frictional) members.vector("friction", impact.friction);
+    members.close();
+}
+
+void write_ball_cushion(JsonText& json, const CushionImpact& impact) {
+    Members members(json);
+    members.string("law", to_string(impact.law));
+    members.number("restitution", impact.restitution);
+    if (impact.law != CushionLaw::restitution) {
+        members.number("friction", impact.friction);
+        members.number("height", impact.height);
+    }
+    members.close();
 }
 
 void write_impacts(JsonText& json, const Scene& scene) {
-    const BallBallImpact& balls = scene.impacts.ball_ball;
-    const CushionImpact& cushion = scene.impacts.ball_cushion;
-    const bool frictional = balls.law == BallBallLaw::frictional;
-    json.raw("{\"ball_ball\": {\"law\": ");
-    json.string(frictional ? "frictional" : "restitution");
-    write_number(json, "restitution", balls.restitution);
-    if (frictional) {
-        json.raw(", \"friction\": ");
-        json.vector(balls.friction);
-    }
-    json.raw("}, \"ball_cushion\": {\"law\": ");
-    json.string(to_string(cushion.law));
-    write_number(json, "restitution", cushion.restitution);
-    if (cushion.law != CushionLaw::restitution) {
-        write_number(json, "friction", cushion.friction);
-        write_number(json, "height", cushion.height);
-    }
-    json.raw("}, \"simultaneous\": \"sequential\"");
+    Members members(json);
+    members.key("ball_ball");
+    write_ball_ball(json, scene.impacts.ball_ball);
+    members.key("ball_cushion");
+    write_ball_cushion(json, scene.impacts.ball_cushion);
+    members.string("simultaneous", "sequential");
     if (!std::holds_alternative<UniformMotion>(scene.motion)) {
-        write_number(json, "contact_time", scene.impacts.contact_time);
+        members.number("contact_time", scene.impacts.contact_time);
     }
-    json.raw("}");
+    members.close();
 }
 
 void write_cue(JsonText& json, const Cue& cue) {
-    json.raw("{\"ball\": ");
-    json.string(cue.ball);
-    write_number(json, "speed", cue.speed);
-    write_number(json, "azimuth", cue.azimuth);
-    write_number(json, "elevation", cue.elevation);
-    json.raw(", \"offset\": ");
-    json.vector(Point{cue.offset[0], cue.offset[1]});
-    write_number(json, "mass", cue.mass);
-    write_number(json, "end_mass", cue.end_mass);
-    write_number(json, "restitution", cue.restitution);
-    write_number(json, "miscue_limit", cue.miscue_limit);
-    json.raw("}");
+    Members members(json);
+    members.string("ball", cue.ball);
+    members.number("speed", cue.speed);
+    members.number("azimuth", cue.azimuth);
+    members.number("elevation", cue.elevation);
+    members.vector("offset", Point{cue.offset[0], cue.offset[1]});
+    members.number("mass", cue.mass);
+    members.number("end_mass", cue.end_mass);
+    members.number("restitution", cue.restitution);
+    members.number("miscue_limit", cue.miscue_limit);
+    members.close();
 }
 
 }  // namespace
