@@ -5,6 +5,7 @@
 #include <cstdio>
 #include <utility>
 
+#include "osculo/impact/cue_strike.hpp"
 #include "osculo/osculo.hpp"
 
 namespace {
@@ -31,6 +32,40 @@ void print(const S& x) {
     }
 }
 
+template <class Type>
+void add_table(engine::SceneData<Type>& scene) {
+    using S = typename Type::Scalar;
+    using Vec = math::Vec<S>;
+    const Vec corners[] = {{S(0), S(0)}, {S(1), S(-0.25)}, {S(1.25), S(1)}, {S(0), S(1.125)}};
+    auto& rims = std::get<0>(scene.obstacles);
+    auto& segments = std::get<1>(scene.obstacles);
+    auto& arcs = std::get<2>(scene.obstacles);
+    auto& points = std::get<3>(scene.obstacles);
+    for (int i = 0; i < 4; ++i) {
+        segments.emplace_back(corners[i], corners[(i + 1) % 4], true);
+        points.push_back({corners[i]});
+    }
+    arcs.push_back({Vec(S(1), S(0.375)), S(0.0625), Vec(S(1), S(0)), Vec(S(1), S(0)), false, true});
+    rims.push_back({Vec(S(0.01), S(0.01)), S(0.03)});
+}
+
+template <class Type>
+void run(const char* name, double restitution, engine::SceneData<Type> scene) {
+    using S = typename Type::Scalar;
+    engine::Engine<Type> engine(std::move(scene));
+    const Status status = engine.run({S(20), 4000});
+    std::printf("%s e=%g %d %llu", name, restitution, static_cast<int>(status),
+                static_cast<unsigned long long>(engine.event_count()));
+    print<S>(math::narrow(engine.time()));
+    for (const auto& body : engine.bodies()) {
+        print<S>(math::narrow(body.state.position.x));
+        print<S>(math::low_part(body.state.position.y));
+        print<S>(body.state.velocity.x());
+        print<S>(body.state.velocity.y());
+    }
+    std::printf("\n");
+}
+
 template <math::Scalar S>
 void play(const char* name, std::uint64_t seed, double restitution) {
     using Type = engine::UniformScene<S, engine::Table, engine::NoRecorder, engine::CellGrid>;
@@ -49,30 +84,43 @@ void play(const char* name, std::uint64_t seed, double restitution) {
     }
     scene.ball_ball_restitution = S(restitution);
     scene.ball_cushion_restitution = S(restitution);
-    const Vec corners[] = {{S(0), S(0)}, {S(1), S(-0.25)}, {S(1.25), S(1)}, {S(0), S(1.125)}};
-    auto& rims = std::get<0>(scene.obstacles);
-    auto& segments = std::get<1>(scene.obstacles);
-    auto& arcs = std::get<2>(scene.obstacles);
-    auto& points = std::get<3>(scene.obstacles);
-    for (int i = 0; i < 4; ++i) {
-        segments.emplace_back(corners[i], corners[(i + 1) % 4], true);
-        points.push_back({corners[i]});
-    }
-    arcs.push_back({Vec(S(1), S(0.375)), S(0.0625), Vec(S(1), S(0)), Vec(S(1), S(0)), false, true});
-    rims.push_back({Vec(S(0.01), S(0.01)), S(0.03)});
+    add_table(scene);
+    run(name, restitution, std::move(scene));
+}
 
-    engine::Engine<Type> engine(std::move(scene));
-    const Status status = engine.run({S(20), 4000});
-    std::printf("%s e=%g %d %llu", name, restitution, static_cast<int>(status),
-                static_cast<unsigned long long>(engine.event_count()));
-    print<S>(math::narrow(engine.time()));
-    for (const auto& body : engine.bodies()) {
-        print<S>(math::narrow(body.state.position.x));
-        print<S>(math::low_part(body.state.position.y));
-        print<S>(body.state.velocity.x());
-        print<S>(body.state.velocity.y());
+/// The same on a cloth with friction everywhere, one of the balls struck by a cue.
+template <math::Scalar S>
+void play_cloth(const char* name, std::uint64_t seed) {
+    using Type = engine::ClothScene<S, impact::CushionHan2005, engine::NoRecorder>;
+    using Vec = math::Vec<S>;
+    engine::SceneData<Type> scene;
+    for (int k = 0; k < 12; ++k) {
+        engine::Body<Type> body;
+        body.radius = S(0.03);
+        body.mass = S(0.17);
+        body.state.radius = body.radius;
+        body.state.position = math::WidePoint<S>(
+            Vec(S(0.2 + 0.15 * (k % 4) + 0.02 * next(seed)), S(0.2 + 0.15 * (k / 4))));
+        scene.bodies.push_back(body);
     }
-    std::printf("\n");
+    auto struck = impact::spinning_ball<S>(scene.bodies[0]);
+    impact::CueStrike<S>{S(6 * next(seed) + 1),
+                         S(6 * next(seed)),
+                         S(next(seed)),
+                         S(0.3 * next(seed)),
+                         S(0.3 * next(seed)),
+                         S(0.54),
+                         S(0.006),
+                         S(1),
+                         S(0.55)}
+        .resolve(struck);
+    impact::take<S>(struck, scene.bodies[0]);
+    scene.motion = {S(0.2 * 9.81), S(0.01 * 9.81), S(0.0127 * 9.81)};
+    scene.friction.ball_ball = {S(0.95), {S(0.009951), S(0.108), S(1.088)}};
+    scene.friction.ball_cushion = {S(0.85), S(0.2), S(0.0384)};
+    scene.contact_time = S(1e-4);
+    add_table(scene);
+    run(name, 0.95, std::move(scene));
 }
 
 }  // namespace
@@ -85,6 +133,10 @@ int main() {
             play<long double>("long double", seed, restitution);
             play<math::Quad>("quad", seed, restitution);
         }
+        play_cloth<float>("cloth float", seed);
+        play_cloth<double>("cloth double", seed);
+        play_cloth<long double>("cloth long double", seed);
+        play_cloth<math::Quad>("cloth quad", seed);
     }
     return 0;
 }

@@ -29,6 +29,8 @@ TEST(LeaveOut, NothingIsEmpty) {
     EXPECT_TRUE(std::is_empty_v<impact::Restitution>);
     EXPECT_TRUE(std::is_empty_v<impact::Sequential>);
     EXPECT_TRUE(std::is_empty_v<typename Narrowest::ObstacleStorage>);
+    EXPECT_TRUE(
+        (std::is_empty_v<engine::ObstacleBoxes<double, typename Narrowest::ObstacleStorage>>));
 }
 
 TEST(LeaveOut, RecorderAndObstaclesCostWhatTheyHold) {
@@ -44,6 +46,7 @@ TEST(LeaveOut, RecorderAndObstaclesCostWhatTheyHold) {
 TEST(LeaveOut, AnEngineWithoutRecorderIsNoLargerThanItsParts) {
     constexpr std::size_t kParts = sizeof(engine::SceneData<Narrowest>) +
                                    sizeof(engine::EventQueue<double>) + sizeof(AllPairs<double>) +
+                                   sizeof(std::vector<geometry::Box<double>>) +
                                    sizeof(math::Instant<double>) + 2 * sizeof(std::uint64_t);
     EXPECT_LE(sizeof(Engine<Narrowest>), (kParts + 7) / 8 * 8);
 }

@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstdint>
+#include <span>
 #include <tuple>
 #include <type_traits>
 #include <utility>
@@ -9,10 +10,12 @@
 
 #include "osculo/engine/broad_phase.hpp"
 #include "osculo/engine/event.hpp"
+#include "osculo/engine/obstacle_boxes.hpp"
 #include "osculo/engine/queue.hpp"
 #include "osculo/engine/recorder.hpp"
 #include "osculo/engine/traits.hpp"
 #include "osculo/impact/pressing.hpp"
+#include "osculo/motion/swept_box.hpp"
 #include "osculo/status.hpp"
 
 namespace osculo::engine {
@@ -79,13 +82,26 @@ public:
     /// Predicts every ball's first event. Requires a valid scene: positive finite masses and radii,
     /// finite states.
     explicit Engine(SceneData<Type> scene)
-        : scene_(std::move(scene)), queue_(scene_.bodies.size()), broad_phase_(scene_.bodies) {
-        for (BodyType& body : scene_.bodies) begin_motion(body);
-        for (BallIndex i = 0; i < scene_.bodies.size(); ++i) predict(i);
+        : scene_(std::move(scene)),
+          queue_(scene_.bodies.size()),
+          obstacle_boxes_(scene_.obstacles),
+          broad_phase_(scene_.bodies) {
+        start();
+    }
+
+    /// Plays the scene from another start, as a new engine with these balls would. Requires as many
+    /// of them as there were. No allocation without a cell grid, but what the recorder needs.
+    void restart(std::span<const BodyType> bodies) {
+        scene_.bodies.assign(bodies.begin(), bodies.end());
+        broad_phase_ = typename Type::BroadPhase(scene_.bodies);
+        recorder_.clear();
+        now_ = Instant{S(0)};
+        event_count_ = prediction_count_ = 0;
+        start();
     }
 
     /// Runs until nothing more can happen or a limit is reached. Afterwards every ball that is
-    /// still there has its clock at the same instant, time(). To be called once.
+    /// still there has its clock at the same instant, time(). To be called once per start.
     Status run(const RunLimits<S>& limits);
 
     [[nodiscard]] const std::vector<BodyType>& bodies() const { return scene_.bodies; }
@@ -97,6 +113,8 @@ public:
 
 private:
     using Scheduled = Event<S>;
+    using Box = geometry::Box<S>;
+    using ObstacleBoxesType = ObstacleBoxes<S, typename Type::ObstacleStorage>;
     using Recorder = typename Type::Recorder;
 
     struct Contact {
@@ -105,12 +123,17 @@ private:
         std::uint32_t second;
     };
 
+    void start();
+
+    // prediction.hpp
     void predict(BallIndex i);
-    template <std::size_t K>
-    void predict_obstacles(BallIndex i, const Path& path, Scheduled& best) const;
-    void predict_ball(BallIndex i, const Path& path, BallIndex j, Scheduled& best) const;
-    /// Takes the event as the ball's next one if it comes before [best].
-    void offer(Kind kind, BallIndex i, std::uint32_t other, std::uint32_t other_age,
+    [[nodiscard]] static Box swept_box(const BodyType& body, const Path& path,
+                                       const Scheduled& best);
+    void predict_obstacles(BallIndex i, const Path& path, Scheduled& best, Box& swept) const;
+    template <std::size_t K, bool MostPaths>
+    void predict_kind(BallIndex i, const Path& path, Scheduled& best, Box& swept) const;
+    bool predict_ball(BallIndex i, const Path& path, BallIndex j, Scheduled& best) const;
+    bool offer(Kind kind, BallIndex i, std::uint32_t other, std::uint32_t other_age,
                const Instant& start, const S& wait, Scheduled& best) const;
     [[nodiscard]] static S horizon(const Instant& start, const Scheduled& best);
 
@@ -118,7 +141,7 @@ private:
     void begin_motion(BodyType& body);
     [[nodiscard]] bool is_void(const Scheduled& event) const;
     void change_phase(BallIndex i);
-    void resolve_balls(BodyType& one, BodyType& other, const Vec& normal);
+    void resolve_balls(BodyType& one, BodyType& other, const Vec& normal);  // resolution.hpp
     void resolve_cushion(BodyType& body, const Vec& normal);
     [[nodiscard]] bool carry_out(const Scheduled& event);
     [[nodiscard]] bool collide_balls(const Contact& contact);
@@ -138,12 +161,27 @@ private:
 
     SceneData<Type> scene_;
     EventQueue<S> queue_;
+    [[no_unique_address]] ObstacleBoxesType obstacle_boxes_;
     [[no_unique_address]] typename Type::BroadPhase broad_phase_;
+    std::vector<Box> swept_;  ///< around what each ball covers before its next event
     [[no_unique_address]] Recorder recorder_;
     Instant now_{S(0)};
     std::uint64_t event_count_ = 0;
     std::uint64_t prediction_count_ = 0;
 };
+
+template <class Type>
+void Engine<Type>::start() {
+    swept_.clear();
+    swept_.reserve(scene_.bodies.size());
+    for (BallIndex i = 0; i < scene_.bodies.size(); ++i) {
+        BodyType& body = scene_.bodies[i];
+        begin_motion(body);
+        swept_.push_back(swept_box(body, Type::Motion::template path<S>(body.state), Scheduled{}));
+        queue_.update(i, Scheduled{});
+    }
+    for (BallIndex i = 0; i < scene_.bodies.size(); ++i) predict(i);
+}
 
 template <class Type>
 Status Engine<Type>::run(const RunLimits<S>& limits) {
@@ -176,101 +214,6 @@ Status Engine<Type>::run(const RunLimits<S>& limits) {
         if (!carry_out(event)) return finish(Status::numeric, now_);
         ++event_count_;
     }
-}
-
-template <class Type>
-void Engine<Type>::predict(BallIndex i) {
-    ++prediction_count_;
-    const BodyType& body = scene_.bodies[i];
-    Scheduled best;
-    if (body.present) {
-        const Path path = Type::Motion::template path<S>(body.state);
-        if constexpr (Type::BroadPhase::kCrossings) {
-            offer(kCellCrossing, i, 0, 0, body.clock, broad_phase_.next_crossing(i, path), best);
-        }
-        if constexpr (Type::Motion::kTransitions) {
-            offer(kTransition, i, 0, 0, body.clock, body.state.remaining, best);
-        }
-        predict_obstacles<0>(i, path, best);
-        broad_phase_.for_each_candidate(i, [&](BallIndex j) { predict_ball(i, path, j, best); });
-    }
-    queue_.update(i, best);
-}
-
-template <class Type>
-template <std::size_t K>
-void Engine<Type>::predict_obstacles(BallIndex i, const Path& path, Scheduled& best) const {
-    if constexpr (K < Type::ObstacleList::kCount) {
-        const auto& obstacles = std::get<K>(scene_.obstacles);
-        using Obstacle = typename std::decay_t<decltype(obstacles)>::value_type;
-        static_assert(Detectable<S, Path, Obstacle>,
-                      "osculo: no first_contact and contact_normal for a ball on this path "
-                      "and this kind of obstacle: write them, one pair in one file of detect/");
-        const BodyType& body = scene_.bodies[i];
-        const Kind kind = kFirstObstacle + static_cast<Kind>(K);
-        for (std::uint32_t k = 0; k < obstacles.size(); ++k) {
-            const bool resolved = body.last_kind == kind && body.last_other == k;
-            offer(kind, i, k, 0, body.clock,
-                  first_contact(path, body.radius, obstacles[k],
-                                math::ContactHistory<S>{resolved, body.noise},
-                                horizon(body.clock, best)),
-                  best);
-        }
-        predict_obstacles<K + 1>(i, path, best);
-    }
-}
-
-template <class Type>
-void Engine<Type>::predict_ball(BallIndex i, const Path& path, BallIndex j, Scheduled& best) const {
-    const BodyType& one = scene_.bodies[i];
-    const BodyType& other = scene_.bodies[j];
-    if (!other.present) return;
-    const bool resolved = one.last_kind == kBallBall && one.last_other == j &&
-                          other.last_kind == kBallBall && other.last_other == i;
-    // Both from the later of the two clocks, so that the result depends only on the two states and
-    // not on the instant or the ball that asks for it.
-    const bool first_is_older = one.clock < other.clock;
-    const Instant& start = first_is_older ? other.clock : one.clock;
-    const S first_shift = first_is_older ? math::duration<S>(one.clock, start) : S(0);
-    const S second_shift = first_is_older ? S(0) : math::duration<S>(other.clock, start);
-    Path second = Type::Motion::template path<S>(other.state);
-    const S reach = one.radius + other.radius;
-    const S latest = horizon(start, best);
-    if constexpr (requires {
-                      detect::certainly_apart(path, first_shift, second, second_shift, reach,
-                                              latest);
-                  }) {
-        if (!resolved &&
-            detect::certainly_apart(path, first_shift, second, second_shift, reach, latest)) {
-            return;
-        }
-    }
-    Path first = path;
-    if (first_shift > S(0)) first.shift(first_shift);
-    if (second_shift > S(0)) second.shift(second_shift);
-    const S wait =
-        first_contact(first, second, reach,
-                      math::ContactHistory<S>{resolved, S(one.noise + other.noise)}, latest);
-    offer(kBallBall, i, j, other.age, start, wait, best);
-}
-
-template <class Type>
-void Engine<Type>::offer(Kind kind, BallIndex i, std::uint32_t other, std::uint32_t other_age,
-                         const Instant& start, const S& wait, Scheduled& best) const {
-    if (!math::is_finite<S>(wait)) return;
-    Scheduled event{math::after<S>(start, wait), kind, i, other, scene_.bodies[i].age, other_age};
-    if (kind == kBallBall && other < i) {
-        std::swap(event.first, event.second);
-        std::swap(event.first_age, event.second_age);
-    }
-    if (event < best) best = event;
-}
-
-/// Waits beyond this cannot be the next event; a little more than the distance to the best one yet.
-template <class Type>
-typename Engine<Type>::S Engine<Type>::horizon(const Instant& start, const Scheduled& best) {
-    if (best.kind == kNothing) return math::never<S>();
-    return math::duration<S>(start, best.when) * (S(1) + S(8) * math::epsilon<S>());
 }
 
 template <class Type>
@@ -412,57 +355,6 @@ void Engine<Type>::change_phase(BallIndex i) {
 }
 
 template <class Type>
-void Engine<Type>::resolve_balls(BodyType& one, BodyType& other, const Vec& normal) {
-    if constexpr (Type::Motion::kSpin) {
-        auto first = impact::spinning_ball<S>(one);
-        auto second = impact::spinning_ball<S>(other);
-        scene_.friction.ball_ball.resolve(normal, first, second);
-        impact::take<S>(first, one);
-        impact::take<S>(second, other);
-    } else {
-        Type::Impact::template resolve<S>(scene_.ball_ball_restitution, one.mass, other.mass,
-                                          normal, one.state.velocity, other.state.velocity);
-    }
-    begin_motion(one);
-    begin_motion(other);
-    if constexpr (Type::Motion::kTransitions) {
-        const Vec unit = normal / math::norm<S>(normal);
-        const S missing = impact::missing_separation<S>(
-            other.state.velocity - one.state.velocity,
-            other.state.half_acceleration - one.state.half_acceleration, unit, scene_.contact_time);
-        if (missing > S(0)) {
-            const S total = one.mass + other.mass;
-            one.state.velocity -= (missing * (other.mass / total)) * unit;
-            other.state.velocity += (missing * (one.mass / total)) * unit;
-            begin_motion(one);
-            begin_motion(other);
-        }
-    }
-}
-
-template <class Type>
-void Engine<Type>::resolve_cushion(BodyType& body, const Vec& normal) {
-    if constexpr (Type::Motion::kSpin) {
-        auto ball = impact::spinning_ball<S>(body);
-        scene_.friction.ball_cushion.resolve(normal, ball);
-        impact::take<S>(ball, body);
-    } else {
-        Type::Impact::template resolve<S>(scene_.ball_cushion_restitution, normal,
-                                          body.state.velocity);
-    }
-    begin_motion(body);
-    if constexpr (Type::Motion::kTransitions) {
-        const Vec away = normal / -math::norm<S>(normal);
-        const S missing = impact::missing_separation<S>(
-            body.state.velocity, body.state.half_acceleration, away, scene_.contact_time);
-        if (missing > S(0)) {
-            body.state.velocity += missing * away;
-            begin_motion(body);
-        }
-    }
-}
-
-template <class Type>
 void Engine<Type>::advance(BallIndex i) {
     BodyType& body = scene_.bodies[i];
     if (!(body.clock < now_)) return;
@@ -531,3 +423,6 @@ Status Engine<Type>::finish(Status status, const Instant& end) {
 }
 
 }  // namespace osculo::engine
+
+#include "osculo/engine/prediction.hpp"
+#include "osculo/engine/resolution.hpp"

@@ -27,6 +27,9 @@ public:
     /// Replaces the event of ball i.
     void update(BallIndex i, const Event<S>& event) { heap_.update(entries_[i], {event, i}); }
 
+    /// The event of ball i.
+    [[nodiscard]] const Event<S>& next_of(BallIndex i) const { return (*entries_[i]).event; }
+
     [[nodiscard]] bool empty() const { return heap_.empty(); }
 
     /// The earliest event of all. Requires !empty().

@@ -43,6 +43,7 @@ struct NoRecorder {
     static constexpr const char* kName = "none";
     static constexpr bool kEvents = false;
     static constexpr bool kPieces = false;
+    void clear() {}
 };
 
 /// Keeps the events.
@@ -53,6 +54,7 @@ struct EventRecorder {
     static constexpr bool kPieces = false;
     std::vector<EventRecord<S>> events;
 
+    void clear() { events.clear(); }
     template <class State>
     [[nodiscard]] static Moment<S> remember(const State& state) {
         return {state.position, state.velocity};
@@ -68,6 +70,10 @@ struct PieceRecorder {
     std::vector<EventRecord<S>> events;
     std::vector<PieceRecord<S>> pieces;
 
+    void clear() {
+        events.clear();
+        pieces.clear();
+    }
     template <class State>
     [[nodiscard]] static Moment<S> remember(const State& state) {
         return {state.position, state.velocity};
@@ -98,6 +104,10 @@ struct StateRecorder {
     std::vector<EventRecord<S, State>> events;
     std::vector<StatePieceRecord<S, State>> pieces;
 
+    void clear() {
+        events.clear();
+        pieces.clear();
+    }
     [[nodiscard]] static State remember(const State& state) { return state; }
     void add_piece(BallIndex ball, const math::Instant<S>& from, const math::Instant<S>& to,
                    const State& state) {

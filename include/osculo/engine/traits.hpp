@@ -12,6 +12,7 @@
 #include "osculo/detect/ball_rim.hpp"
 #include "osculo/detect/ball_segment.hpp"
 #include "osculo/detect/ball_segment_parabolic.hpp"
+#include "osculo/detect/certainly_apart.hpp"
 #include "osculo/impact/restitution.hpp"
 #include "osculo/impact/simultaneous.hpp"
 
@@ -28,6 +29,12 @@ template <class Obstacle>
 inline constexpr Effect kEffect = Effect::impact;
 template <math::Scalar S>
 inline constexpr Effect kEffect<geometry::Rim<S>> = Effect::capture;
+
+/// True of kinds so long that most paths that meet anything end at them.
+template <class Obstacle>
+inline constexpr bool kEndsMostPaths = false;
+template <math::Scalar S>
+inline constexpr bool kEndsMostPaths<geometry::Segment<S>> = true;
 
 /// The kinds of obstacles of a scene type, each a template over the scalar, in the order in which
 /// they come at one instant.

@@ -33,7 +33,7 @@ struct Cloth {
     template <math::Scalar S>
     struct State {
         math::WidePoint<S> position;           ///< [m]
-        math::Vec<S> velocity;                 ///< [m/s]
+        math::Vec<S> velocity{S(0), S(0)};     ///< [m/s]
         math::Vec3<S> spin{S(0), S(0), S(0)};  ///< [rad/s]
         S radius{1};                           ///< [m]
         S inertia{S(2) / S(5)};                ///< k = I / (m R^2)

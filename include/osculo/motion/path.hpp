@@ -12,6 +12,8 @@ struct LinearPath {
 
     /// Moves the start of the path on by t [s].
     void shift(const S& t) { position = math::displaced<S>(position, velocity, t); }
+
+    [[nodiscard]] bool stands() const { return velocity.x() == S(0) && velocity.y() == S(0); }
 };
 
 /// Constant acceleration: at position + velocity t + half_acceleration t^2 for 0 <= t <= end.
@@ -27,6 +29,11 @@ struct ParabolicPath {
         position = math::displaced<S>(position, velocity, half_acceleration, t);
         velocity += (S(2) * t) * half_acceleration;
         end = end > t ? S(end - t) : S(0);
+    }
+
+    [[nodiscard]] bool stands() const {
+        return velocity.x() == S(0) && velocity.y() == S(0) && half_acceleration.x() == S(0) &&
+               half_acceleration.y() == S(0);
     }
 };
 

@@ -20,7 +20,7 @@ struct Rolling {
     template <math::Scalar S>
     struct State {
         math::WidePoint<S> position;                 ///< [m]
-        math::Vec<S> velocity;                       ///< [m/s]
+        math::Vec<S> velocity{S(0), S(0)};           ///< [m/s]
         math::Vec<S> half_acceleration{S(0), S(0)};  ///< [m/s^2]
         S remaining = math::never<S>();              ///< time until it rests [s]
     };

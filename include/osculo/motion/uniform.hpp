@@ -17,8 +17,8 @@ struct Uniform {
     /// Place and motion of a ball at its own clock.
     template <math::Scalar S>
     struct State {
-        math::WidePoint<S> position;  ///< [m]
-        math::Vec<S> velocity;        ///< [m/s]
+        math::WidePoint<S> position;        ///< [m]
+        math::Vec<S> velocity{S(0), S(0)};  ///< [m/s]
     };
 
     /// How the ball goes on from its state while nothing happens to it.
