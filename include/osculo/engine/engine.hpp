@@ -126,7 +126,7 @@ private:
     void start();
 
     // prediction.hpp
-    void predict(BallIndex i);
+    void predict(BallIndex i, bool others = true);
     [[nodiscard]] static Box swept_box(const BodyType& body, const Path& path,
                                        const Scheduled& best);
     void predict_obstacles(BallIndex i, const Path& path, Scheduled& best, Box& swept) const;
@@ -180,7 +180,10 @@ void Engine<Type>::start() {
         swept_.push_back(swept_box(body, Type::Motion::template path<S>(body.state), Scheduled{}));
         queue_.update(i, Scheduled{});
     }
-    for (BallIndex i = 0; i < scene_.bodies.size(); ++i) predict(i);
+    // Two balls that stand never meet, and one that moves looks at all that stand.
+    for (BallIndex i = 0; i < scene_.bodies.size(); ++i) {
+        predict(i, !Type::Motion::template path<S>(scene_.bodies[i].state).stands());
+    }
 }
 
 template <class Type>

@@ -7,8 +7,9 @@
 // has had an event looks at all the others, but only as far as their own next events and its own.
 namespace osculo::engine {
 
+/// The next event of ball i, of its own or, if [others], with another one.
 template <class Type>
-void Engine<Type>::predict(BallIndex i) {
+void Engine<Type>::predict(BallIndex i, bool others) {
     ++prediction_count_;
     const BodyType& body = scene_.bodies[i];
     Scheduled best;
@@ -22,10 +23,12 @@ void Engine<Type>::predict(BallIndex i) {
         }
         Box swept = swept_box(body, path, best);
         if (!path.stands()) predict_obstacles(i, path, best, swept);
-        broad_phase_.for_each_candidate(i, [&](BallIndex j) {
-            if (swept.apart(swept_[j])) return;
-            if (predict_ball(i, path, j, best)) swept = swept_box(body, path, best);
-        });
+        if (others) {
+            broad_phase_.for_each_candidate(i, [&](BallIndex j) {
+                if (swept.apart(swept_[j])) return;
+                if (predict_ball(i, path, j, best)) swept = swept_box(body, path, best);
+            });
+        }
         swept_[i] = swept;
     }
     queue_.update(i, best);
