@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstdint>
+#include <initializer_list>
 #include <span>
 #include <tuple>
 #include <type_traits>
@@ -20,6 +21,8 @@
 
 namespace osculo::engine {
 
+struct Nothing {};
+
 /// A ball as the engine keeps it. Its state is that at its own clock: a ball is touched only by the
 /// events it takes part in.
 template <class Type>
@@ -35,9 +38,11 @@ struct Body {
     Kind last_kind = kNothing;  ///< what the last of them was,
     std::uint32_t last_other = 0;  ///< and with what
     bool present = true;           ///< false once captured
+    /// Where forces can press balls together.
+    [[no_unique_address]] std::conditional_t<Type::Motion::kTransitions, impact::LastImpact<S>,
+                                             Nothing>
+        last_impact;
 };
-
-struct Nothing {};
 
 /// The impact laws of balls with spin; nothing for others.
 template <class Type, bool = Type::Motion::kSpin>
@@ -143,6 +148,7 @@ private:
     void change_phase(BallIndex i);
     void resolve_balls(BodyType& one, BodyType& other, const Vec& normal);  // resolution.hpp
     void resolve_cushion(BodyType& body, const Vec& normal);
+    [[nodiscard]] S pressing_time(std::initializer_list<BodyType*> bodies);
     [[nodiscard]] bool carry_out(const Scheduled& event);
     [[nodiscard]] bool collide_balls(const Contact& contact);
     template <std::size_t K>

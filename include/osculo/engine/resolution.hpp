@@ -23,7 +23,8 @@ void Engine<Type>::resolve_balls(BodyType& one, BodyType& other, const Vec& norm
         const Vec unit = normal / math::norm<S>(normal);
         const S missing = impact::missing_separation<S>(
             other.state.velocity - one.state.velocity,
-            other.state.half_acceleration - one.state.half_acceleration, unit, scene_.contact_time);
+            other.state.half_acceleration - one.state.half_acceleration, unit,
+            pressing_time({&one, &other}));
         if (missing > S(0)) {
             const S total = one.mass + other.mass;
             one.state.velocity -= (missing * (other.mass / total)) * unit;
@@ -32,6 +33,18 @@ void Engine<Type>::resolve_balls(BodyType& one, BodyType& other, const Vec& norm
             begin_motion(other);
         }
     }
+}
+
+/// How long what these balls do now can press them against each other or a cushion [s].
+template <class Type>
+typename Engine<Type>::S Engine<Type>::pressing_time(std::initializer_list<BodyType*> bodies) {
+    S duration = scene_.contact_time;
+    bool soon = false;
+    for (BodyType* body : bodies) {
+        duration = std::min<S>(duration, impact::acceleration_time(body->state));
+        soon = body->last_impact.note(now_, scene_.contact_time) || soon;
+    }
+    return soon ? scene_.contact_time : duration;
 }
 
 template <class Type>
@@ -48,7 +61,7 @@ void Engine<Type>::resolve_cushion(BodyType& body, const Vec& normal) {
     if constexpr (Type::Motion::kTransitions) {
         const Vec away = normal / -math::norm<S>(normal);
         const S missing = impact::missing_separation<S>(
-            body.state.velocity, body.state.half_acceleration, away, scene_.contact_time);
+            body.state.velocity, body.state.half_acceleration, away, pressing_time({&body}));
         if (missing > S(0)) {
             body.state.velocity += missing * away;
             begin_motion(body);

@@ -1,6 +1,10 @@
 #pragma once
 
+#include <algorithm>
+#include <type_traits>
+
 #include "osculo/impact/spinning_ball.hpp"
+#include "osculo/math/instant.hpp"
 #include "osculo/math/vec.hpp"
 
 /// Balls that are pressed against something.
@@ -13,15 +17,46 @@
 /// contact time of Luding & McNamara 1998; NUMERICS 5). Nothing overlaps; the hops are at most
 /// a tau^2 / 8 high; there are at most 1 / tau of them per second; and an impact can gain at most
 /// m a^2 tau^2 / 8 of energy (m the reduced mass), less than what the force does in one hop.
+///
+/// A force that ends sooner, for the ball has stopped slipping by then, presses no longer than it
+/// lasts, and tau is that time: a ball that just reaches another one does not push it away. But for
+/// a ball that has had another impact within the contact time, tau is the contact time, so that
+/// ever shorter slides do not follow each other for ever.
 namespace osculo::impact {
 
+/// How long a ball goes on accelerating as it does [s].
+template <class State>
+[[nodiscard]] auto acceleration_time(const State& state) {
+    using S = std::decay_t<decltype(state.remaining)>;
+    return state.half_acceleration.x() == S(0) && state.half_acceleration.y() == S(0)
+               ? math::never<S>()
+               : state.remaining;
+}
+
+/// When a ball had its last impact.
+template <math::Scalar S>
+class LastImpact {
+public:
+    /// Notes another one. True if the last one was within the contact time [s].
+    bool note(const math::Instant<S>& now, const S& contact_time) {
+        const bool soon = any_ && math::duration<S>(when_, now) <= contact_time;
+        when_ = now;
+        any_ = true;
+        return soon;
+    }
+
+private:
+    math::Instant<S> when_{S(0)};
+    bool any_ = false;
+};
+
 /// By how much a separation speed along [normal] (a unit vector) has to be raised, for a relative
-/// velocity and half relative acceleration of what lies there [m/s].
+/// velocity and half relative acceleration of what lies there [m/s], and tau [s].
 template <math::Scalar S>
 [[nodiscard]] S missing_separation(const math::Vec<S>& velocity,
                                    const math::Vec<S>& half_acceleration,
-                                   const math::Vec<S>& normal, const S& contact_time) {
-    const S least = -math::dot<S>(half_acceleration, normal) * contact_time;
+                                   const math::Vec<S>& normal, const S& pressing_time) {
+    const S least = -math::dot<S>(half_acceleration, normal) * pressing_time;
     const S speed = math::dot<S>(velocity, normal);
     return least > S(0) && speed < least ? S(least - speed) : S(0);
 }
