@@ -304,6 +304,64 @@ TEST(CurvedAudit, FindsEveryFault) {
     }
 }
 
+/// Runs that are right for other laws than those they are held against.
+TEST(CurvedAudit, FindsRunsUnderOtherLaws) {
+    const Played<Scene> clean = busy_table();
+    const auto unexplained_after = [&](auto change) {
+        Played<Scene> played = clean;
+        change(played.scene);
+        return played.audit().unexplained;
+    };
+    const double other = 1 + 1e-12;
+    EXPECT_GT(unexplained_after([&](auto& scene) { scene.motion.sliding *= other; }), 5u);
+    EXPECT_GT(unexplained_after([&](auto& scene) { scene.motion.rolling *= other; }), 5u);
+    EXPECT_GT(unexplained_after([&](auto& scene) { scene.motion.spinning *= other; }), 5u);
+    EXPECT_GT(unexplained_after([&](auto& scene) {
+                  for (auto& body : scene.bodies) body.state.inertia *= other;
+              }),
+              5u);
+}
+
+/// Runs on a table that lacks something of the table they are held against: all that is wrong is
+/// that they go through it.
+TEST(CurvedAudit, FindsObstaclesThatAreNotThere) {
+    const auto audit_with = [](auto add) {
+        Builder<Scene> builder;
+        builder.ball({0, 0}, {2, 0}, 0.1, 1);
+        builder.scene.bodies[0].state.radius = 0.1;
+        builder.scene.bodies[0].state.spin = {-60, 0, 0};  // curves to (2/3, 1/3) and on
+        builder.scene.motion = {4, 0.1, 0.1};
+        Played<Scene> played = play<Scene>(builder.scene, 10);
+        EXPECT_TRUE(played.audit().clean);
+        add(builder, played.record.pieces[0]);
+        played.scene.obstacles = builder.scene.obstacles;
+        return played.audit();
+    };
+    const auto on_the_way = [](const Piece& piece) {
+        return Vec(engine::stretch(piece, piece.from, piece.from)
+                       .at(math::Wide<double>(piece.state.remaining / 2))
+                       .rounded());
+    };
+    const auto through = [](const RunAudit& audit, engine::Kind kind, double gap) {
+        EXPECT_FALSE(audit.clean);
+        EXPECT_EQ(audit.unexplained, 0u);
+        EXPECT_EQ(audit.worst_second.kind, engine::kFirstObstacle + kind);
+        EXPECT_NEAR(audit.worst_gap, gap, 1e-12) << describe(audit);
+    };
+    through(audit_with([&](auto& builder, const Piece& p) { builder.point(on_the_way(p)); }), 3,
+            -1);
+    through(audit_with([&](auto& builder, const Piece& p) {
+                builder.wall(on_the_way(p) + Vec(-0.4, 0.4), on_the_way(p) + Vec(0.4, -0.4));
+            }),
+            1, -1);
+    through(audit_with([&](auto& builder, const Piece& p) {
+                builder.circle(on_the_way(p) + Vec(0.3, 0.4), 0.5);
+            }),
+            2, -1);
+    through(audit_with([&](auto& builder, const Piece& p) { builder.rim(on_the_way(p), 0.02); }), 0,
+            -0.2);
+}
+
 /// A ball rolls into a hole, but is not captured.
 TEST(CurvedAudit, FindsAMissedCapture) {
     using Type = RollingTable<double>;
