@@ -7,7 +7,7 @@
 
 /// What the audit knows of motion laws: the state that a piece ends in, and whether the piece is
 /// what the law says. From the formulas of the laws alone. A law from outside brings its own
-/// end_of, motion_change, motion_scale, twice_energy_per_mass and obeys.
+/// end_of, motion_change, motion_scale, twice_energy_per_mass, obeys and largest_acceleration.
 namespace osculo::engine {
 
 /// In units of rounding: see math::kMotionNoise.

@@ -54,10 +54,12 @@ template <math::Scalar S, class Function>
                                       Function&& f) {
     using Wide = math::Wide<S>;
     Wide t = path.time * Wide(share);
+    // A step from a zero to anywhere else is none: the zero is double, and good enough as it is.
+    const S most = math::square_root<S>(math::epsilon<S>()) * math::narrow(path.time);
     for (int i = 0; i < 2; ++i) {
         const auto [value, slope] = f(t);
         const S step = math::narrow(Wide(value)) / slope;
-        if (!math::is_finite<S>(step)) break;
+        if (!(math::abs<S>(step) <= most)) break;
         const Wide next = t - Wide(step);
         if (next < Wide(S(0)) || path.time < next) break;
         t = next;
