@@ -128,8 +128,8 @@ struct FinalBall {
 struct Audit {
     double energy_initial = 0;  ///< [J]
     double energy_final = 0;    ///< [J], captured balls included with their energy at capture
-    /// Largest gain of kinetic energy at one event, over the energy of its balls before (<= 0: none
-    /// gained).
+    /// Largest gain of energy at one impact, that of spin included, over the energy of its balls
+    /// before (<= 0: none gained), beyond what parting of balls pressed together may take.
     double largest_energy_gain = 0;
     /// Largest change of momentum at one ball_ball event, over the sum of its balls' |momentum|
     /// before.
@@ -141,7 +141,8 @@ struct Audit {
     std::vector<std::string> worst_gap_ids;  ///< the two things, empty if no two can touch
     /// Largest distance between a piece's end and the next one's start, over the ball's radius.
     double largest_jump = 0;
-    /// Velocity changes that no event explains, and events that no pieces show.
+    /// Changes of velocity or spin that no event explains, events that no pieces show, and pieces
+    /// that the motion law does not explain.
     std::uint64_t unexplained = 0;
     /// Everything within the bounds that rounding explains (math/error_bounds.hpp).
     bool clean = false;

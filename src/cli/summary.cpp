@@ -113,7 +113,7 @@ void report_audit(Report& report, const Audit& audit) {
                                 audit.largest_energy_gain, audit.largest_momentum_error,
                                 audit.largest_jump));
     if (audit.unexplained > 0) {
-        report.line("", counted(audit.unexplained, "velocity change") + " without explanation");
+        report.line("", counted(audit.unexplained, "change") + " without explanation");
     }
 }
 

@@ -36,11 +36,9 @@ template <class Type>
         run.pieces.reserve(engine.recorder().pieces.size());
         for (const auto& piece : engine.recorder().pieces)
             run.pieces.push_back(convert.piece(piece));
-        if constexpr (!Type::Motion::kTransitions) {
-            if (audit) {
-                run.audit = convert.audit(
-                    engine::audit<Type>(start, engine.recorder(), engine.bodies(), engine.time()));
-            }
+        if (audit) {
+            run.audit = convert.audit(
+                engine::audit<Type>(start, engine.recorder(), engine.bodies(), engine.time()));
         }
     }
     run.points = std::move(compiled.points);

@@ -33,10 +33,6 @@ std::optional<Precision> precision_from_string(std::string_view name) {
 
 Run simulate(const Scene& scene, const Options& options) {
     validate(scene);
-    if (options.audit && !std::holds_alternative<UniformMotion>(scene.motion)) {
-        throw SceneError("motion.law", "must be uniform for an audit: curved paths have none yet",
-                         "another");
-    }
     Run run = facade::narrowest_engine(scene, options).run(scene, options.audit);
     run.scene = scene;
     run.engine = choose_engine(scene, options);

@@ -7,12 +7,24 @@
 
 namespace osculo::engine {
 
+namespace detail {
+
+/// Straight pieces; or curved ones of a law that the audit knows.
+template <class Type>
+concept AuditableMotion = !Type::Motion::kTransitions ||
+                          requires(const SceneData<Type>& scene, const PieceOf<Type>& piece,
+                                   const typename Type::Scalar& t) {
+    obeys<typename Type::Scalar>(scene.motion, beginning(piece), t);
+};
+
+}  // namespace detail
+
 /// An independent check of a run, from what a recorder of events and pieces recorded: [scene] is
 /// what was run, [bodies] and [end] are what Engine::bodies() and time() were afterwards.
 ///
-/// It measures trajectories in closed form and follows every ball through its pieces and events,
-/// and shares no code with detection, queue and broad phase. Costs (pieces) x (balls) comparisons
-/// of boxes, and arithmetic only for what comes near.
+/// It measures trajectories by its own formulas, holds every piece against its motion law, follows
+/// every ball through its pieces and events, and shares no code with detection, queue and broad
+/// phase. Costs (pieces) x (balls) comparisons of boxes, and arithmetic only for what comes near.
 template <class Type>
 [[nodiscard]] RunAudit audit(const SceneData<Type>& scene, const typename Type::Recorder& record,
                              const std::vector<Body<Type>>& bodies,
@@ -20,14 +32,17 @@ template <class Type>
     using S = typename Type::Scalar;
     static_assert(Type::Recorder::kEvents && Type::Recorder::kPieces,
                   "osculo: an audit needs the record of events and pieces");
+    static_assert(detail::AuditableMotion<Type>,
+                  "osculo: an audit of motion with transitions needs its State recorded in pieces "
+                  "and its law as in engine/audit/motion_laws.hpp");
     RunAudit result;
     // Elastic contacts part, and what rounding left of a gap ends with them. Inelastic ones may
     // stay together, and then it adds up along their way.
-    const bool elastic =
-        scene.ball_ball_restitution == S(1) && scene.ball_cushion_restitution == S(1);
+    const bool elastic = !Type::Motion::kTransitions && scene.ball_ball_restitution == S(1) &&
+                         scene.ball_cushion_restitution == S(1);
     std::vector<S> path(scene.bodies.size(), S(0));
-    for (const PieceRecord<S>& piece : record.pieces) {
-        const S length = path_length<S>(piece);
+    for (const PieceOf<Type>& piece : record.pieces) {
+        const S length = path_length(piece);
         S& known = path[piece.ball];
         known = elastic ? std::max<S>(known, length) : S(known + length);
     }
@@ -37,7 +52,7 @@ template <class Type>
     if (!record.events.empty()) {
         result.largest_energy_gain = -std::numeric_limits<double>::infinity();
     }
-    for (const EventRecord<S>& event : record.events) {
+    for (const EventOf<Type>& event : record.events) {
         impacts.check(event, result);
         histories.follow(event, result);
     }
@@ -50,7 +65,7 @@ template <class Type>
     const auto energy = [](const std::vector<Body<Type>>& of) {
         S sum{0};
         for (const Body<Type>& body : of) {
-            sum = sum + body.mass * math::dot<S>(body.state.velocity, body.state.velocity) / S(2);
+            sum = sum + body.mass * twice_energy_per_mass<S>(body.state) / S(2);
         }
         return math::to_double<S>(sum);
     };

@@ -59,4 +59,13 @@ inline constexpr double kStartOverlap = 1e-7;
 /// start a slide of no length.
 inline constexpr int kSlip = 8;
 
+/// What an impact with friction of up to 4 may lose in momentum, in the units of kImpactMomentum:
+/// its tangential impulse, up to 4 times the other one, comes with two roundings for each ball.
+inline constexpr int kFrictionMomentum = 20;
+
+/// How far velocity and radius * spin at the end of a piece may be from what its motion law says,
+/// in units of epsilon times the speeds that go in: some eight roundings of half a unit each; and
+/// likewise accelerations and durations, in units of epsilon times themselves.
+inline constexpr int kMotionNoise = 8;
+
 }  // namespace osculo::math

@@ -15,7 +15,7 @@ class GapAudit {
 public:
     using S = typename Type::Scalar;
     using Wide = math::Wide<S>;
-    using Piece = PieceRecord<S>;
+    using Piece = PieceOf<Type>;
 
     GapAudit(const SceneData<Type>& scene, const std::vector<S>& path, RunAudit& result)
         : scene_(scene), path_(path), result_(result) {
@@ -57,7 +57,7 @@ private:
     /// Around everything the ball covers during the piece.
     Box box_of(const Piece& piece) const {
         const double radius = math::to_double<S>(scene_.bodies[piece.ball].radius);
-        return box_around<S>(piece.position.rounded(), position_at<S>(piece, piece.to).rounded())
+        return box_around(stretch(piece, piece.from, piece.to))
             .grown(radius * (1 + 4 * math::epsilon<double>()));
     }
     /// With room for every gap smaller than the smallest one yet.
@@ -73,17 +73,18 @@ private:
         const Body<Type>& one = scene_.bodies[a.ball];
         const Body<Type>& other = scene_.bodies[b.ball];
         const Wide reach = math::wide_sum<S>(one.radius, other.radius);
-        const RelativePath<S> path{seen_from(position_at<S>(a, start), position_at<S>(b, start)),
-                                   {math::wide_sum<S>(a.velocity.x(), S(-b.velocity.x())),
-                                    math::wide_sum<S>(a.velocity.y(), S(-b.velocity.y()))},
-                                   end - start};
+        const auto path = seen_from(stretch(a, start, end), stretch(b, start, end));
+        const S smaller = std::min<S>(one.radius, other.radius);
+        const double far = (math::to_double<S>(math::narrow(reach)) +
+                            std::max(0.0, result_.worst_gap) * math::to_double<S>(smaller)) *
+                           (1 + 4 * math::epsilon<double>());
+        if (box_around(path).apart({-far, far, -far, far})) return;
         const GapAt<S> gap = smallest_distance_beyond<S>(path, reach);
         const auto initial = [&] {
             return length_beyond<S>(seen_from(one.state.position, other.state.position), reach);
         };
-        note(gap, std::min<S>(one.radius, other.radius), math::narrow(reach),
-             S(path_[a.ball] + path_[b.ball]), a, start, {kBallBall, b.ball}, b.position.rounded(),
-             initial);
+        note(gap, smaller, math::narrow(reach), S(path_[a.ball] + path_[b.ball]), a, start,
+             {kBallBall, b.ball}, beginning(b).position.rounded(), initial);
     }
 
     template <std::size_t... K>
@@ -106,8 +107,7 @@ private:
         for (std::uint32_t k = 0; k < obstacles.size(); ++k) {
             if (obstacle_boxes_[K][k].apart(within_reach(box, piece.ball))) continue;
             const auto& obstacle = obstacles[k];
-            const RelativePath<S> path{seen_from(piece.position, origin(obstacle)),
-                                       math::WidePoint<S>(piece.velocity), piece.to - piece.from};
+            const auto path = stretch(piece, piece.from, piece.to, origin(obstacle));
             const GapAt<S> gap = smallest_gap(path, body.radius, obstacle);
             const auto initial = [&] {
                 return contact_gap(seen_from(body.state.position, origin(obstacle)), body.radius,
@@ -133,8 +133,9 @@ private:
         }
         if (found.gap >= S(0)) return;
         const S allowed = std::clamp<S>(-initial(), S(0), S(math::kStartOverlap) * smaller_radius);
-        const S bound = allowed + gap_bound<S>(reach, path) +
-                        resolution<S>(piece.position, piece.velocity, piece.to, from);
+        const S bound =
+            allowed + gap_bound<S>(reach, path) +
+            resolution<S>(beginning(piece).position, beginning(piece).velocity, piece.to, from);
         result_.clean = result_.clean && found.gap >= -bound;
     }
 

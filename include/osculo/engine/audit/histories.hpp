@@ -1,8 +1,7 @@
 #pragma once
 
-#include "osculo/engine/audit/pieces.hpp"
+#include "osculo/engine/audit/motion_laws.hpp"
 #include "osculo/engine/audit/result.hpp"
-#include "osculo/engine/audit/smallest_gap.hpp"
 
 namespace osculo::engine::detail {
 
@@ -12,15 +11,15 @@ class HistoryAudit {
 public:
     using S = typename Type::Scalar;
     using Instant = math::Instant<S>;
-    using Vec = math::Vec<S>;
-    using Piece = PieceRecord<S>;
-    using Event = EventRecord<S>;
+    using Piece = PieceOf<Type>;
+    using Event = EventOf<Type>;
+    using Memory = MemoryOf<Type>;
 
     HistoryAudit(const SceneData<Type>& scene, const std::vector<Piece>& pieces)
         : scene_(scene), histories_(scene.bodies.size()) {
         for (std::size_t i = 0; i < histories_.size(); ++i) {
-            histories_[i].position = scene.bodies[i].state.position;
-            histories_[i].velocity = scene.bodies[i].state.velocity;
+            histories_[i].state = Type::Recorder::remember(scene.bodies[i].state);
+            histories_[i].noise = noise_of(histories_[i].state, S(0), S(0));
         }
         for (const Piece& piece : pieces) histories_[piece.ball].pieces.push_back(&piece);
     }
@@ -42,9 +41,7 @@ public:
                 if (!(history.now == end)) ++result.unexplained;
             }
             result.unexplained += history.pieces.size() - history.next;
-            const auto& state = final_bodies[i].state;
-            expect_at(i, state.position, result);
-            if (history.velocity != state.velocity) ++result.unexplained;
+            expect(i, Type::Recorder::remember(final_bodies[i].state), result);
             if (history.captured == final_bodies[i].present) ++result.unexplained;
         }
     }
@@ -54,9 +51,9 @@ private:
         std::vector<const Piece*> pieces;
         std::size_t next = 0;  ///< the first piece still ahead
         Instant now{S(0)};
-        math::WidePoint<S> position;
-        Vec velocity;
+        Memory state;
         S travelled{0};  ///< since the last place it was said to be at [m]
+        S noise{0};      ///< of velocity and radius * spin since they were last stated [m/s]
         bool captured = false;
     };
 
@@ -65,37 +62,66 @@ private:
         if (history.captured) ++result.unexplained;
         take_pieces(i, event.when, result);
         if (!(history.now == event.when)) ++result.unexplained;
-        if (history.velocity != event.before[side].velocity) ++result.unexplained;
-        expect_at(i, event.before[side].position, result);
-        expect_at(i, event.after[side].position, result);
-        history.now = event.when;
-        history.velocity = event.after[side].velocity;
+        expect(i, event.before[side], result);
         history.captured = event_captures<Type>(event.kind);
+        // What an impact changes is checked with the impact; nothing else changes anything.
+        const bool impact = event.kind != kTransition && !history.captured;
+        if (impact) history.noise = math::never<S>();
+        expect(i, event.after[side], result);
+        history.now = event.when;
+        history.noise = S(0);
     }
 
     void take_pieces(BallIndex i, const Instant& until, RunAudit& result) {
         History& history = histories_[i];
-        while (history.now < until && history.next < history.pieces.size()) {
+        for (int taken = 0; history.now < until && history.next < history.pieces.size(); ++taken) {
             const Piece& piece = *history.pieces[history.next++];
+            if (taken > 0) ++result.unexplained;  // no event ends the one before
             if (!(piece.from == history.now) || !(piece.from < piece.to)) ++result.unexplained;
-            if (piece.velocity != history.velocity) ++result.unexplained;
-            expect_at(i, piece.position, result);
+            expect(i, beginning(piece), result);
             history.now = piece.to;
-            history.position = position_at<S>(piece, piece.to);
-            history.velocity = piece.velocity;
-            history.travelled = path_length<S>(piece);
+            history.state = end_of(piece);
+            history.travelled = path_length(piece);
+            if constexpr (Type::Motion::kTransitions) check_law(i, piece, result);
         }
     }
 
-    /// The ball is said to be at [position] now.
-    void expect_at(BallIndex i, const math::WidePoint<S>& position, RunAudit& result) {
+    /// Holds a piece that has just been taken against the motion law.
+    void check_law(BallIndex i, const Piece& piece, RunAudit& result) {
         History& history = histories_[i];
-        const S jump = math::norm<S>(math::difference<S>(position, history.position));
+        const S duration = math::duration<S>(piece.from, piece.to);
+        const S when = math::narrow(piece.to);
+        history.noise = noise_of(piece.state, duration, when);
+        const S resolved = S(math::kContactGap) * math::wide_epsilon<S>() * math::abs<S>(when);
+        if (!obeys<S>(scene_.motion, piece.state, S(duration - resolved))) ++result.unexplained;
+        // No law speeds a ball up.
+        const S gain =
+            twice_energy_per_mass<S>(history.state) - twice_energy_per_mass<S>(piece.state);
+        const S most = history.noise * motion_scale<S>(piece.state, duration);
+        if (!(gain <= most)) ++result.unexplained;
+    }
+
+    /// How much of velocity and spin [m/s] rounding may take in a duration that ends at an instant.
+    static S noise_of(const Memory& state, const S& duration, const S& when) {
+        if constexpr (Type::Motion::kTransitions) {
+            return motion_slack<S>() * motion_scale<S>(state, duration) +
+                   S(math::kContactGap) * math::wide_epsilon<S>() *
+                       motion_scale<S>(state, math::abs<S>(when));
+        } else {
+            return S(0);
+        }
+    }
+
+    /// The ball is said to be in that state now.
+    void expect(BallIndex i, const Memory& state, RunAudit& result) {
+        History& history = histories_[i];
+        const S jump = math::norm<S>(math::difference<S>(state.position, history.state.position));
         const S bound = S(math::kPieceJump) * math::epsilon<S>() * history.travelled +
-                        resolution<S>(position, history.velocity, history.now);
+                        resolution<S>(state.position, history.state.velocity, history.now);
         result.note(result.largest_jump, math::to_double<S>(jump / scene_.bodies[i].radius),
                     jump <= bound);
-        history.position = position;
+        if (!(motion_change<S>(state, history.state) <= history.noise)) ++result.unexplained;
+        history.state = state;
         history.travelled = S(0);
     }
 

@@ -1,8 +1,7 @@
 #pragma once
 
-#include "osculo/engine/audit/pieces.hpp"
+#include "osculo/engine/audit/motion_laws.hpp"
 #include "osculo/engine/audit/result.hpp"
-#include "osculo/engine/audit/smallest_gap.hpp"
 
 namespace osculo::engine::detail {
 
@@ -13,17 +12,24 @@ class ImpactAudit {
 public:
     using S = typename Type::Scalar;
     using Vec = math::Vec<S>;
-    using Event = EventRecord<S>;
+    using Event = EventOf<Type>;
+    using Memory = MemoryOf<Type>;
+    using Spin = math::Vec3<S>;
 
     explicit ImpactAudit(const SceneData<Type>& scene, const std::vector<S>& path)
         : scene_(scene), path_(path) {}
 
     void check(const Event& event, RunAudit& result) const {
+        if (event.kind == kTransition) return;  // changes nothing, which is its ball's history
         const std::size_t balls = event.kind == kBallBall ? 2 : 1;
         S speed{0};
         for (std::size_t k = 0; k < balls; ++k) {
-            speed = std::max<S>(speed, math::norm_max<S>(event.before[k].velocity));
-            speed = std::max<S>(speed, math::norm_max<S>(event.after[k].velocity));
+            for (const Memory* of : {&event.before[k], &event.after[k]}) {
+                speed = std::max<S>(speed, math::norm_max<S>(of->velocity));
+                for (const S& turning : turning_of(*of, body(event, k))) {
+                    speed = std::max<S>(speed, math::abs<S>(turning));
+                }
+            }
         }
         check_gap(event, result);
         check_closing(event, balls, result);
@@ -71,7 +77,7 @@ private:
         const Vec normal =
             balls == 2 ? math::difference<S>(event.before[1].position, event.before[0].position)
                        : event.normal;
-        const auto closing = [&](const std::array<Moment<S>, 2>& moments) {
+        const auto closing = [&](const std::array<Memory, 2>& moments) {
             Vec v = moments[0].velocity;
             if (balls == 2) v -= moments[1].velocity;
             return math::accurate_dot<S>(v, normal);
@@ -86,20 +92,65 @@ private:
         if (!event_captures<Type>(event.kind) && closing(event.after) > noise) ++result.unexplained;
     }
 
-    /// From the changes of velocity, so that nothing cancels but what the event exchanges.
+    /// Spin times radius [m/s].
+    static Spin turning_of(const Memory& memory, const Body<Type>& body) {
+        if constexpr (Type::Motion::kSpin) {
+            return body.radius * memory.spin;
+        } else {
+            return Spin(S(0), S(0), S(0));
+        }
+    }
+    static S inertia_of(const Body<Type>& body) {
+        if constexpr (Type::Motion::kSpin) {
+            return body.state.inertia;
+        } else {
+            return S(0);
+        }
+    }
+
+    /// From the changes of velocity and spin, so that nothing cancels but what the event exchanges.
     void check_energy(const Event& event, std::size_t balls, const S& speed,
                       RunAudit& result) const {
-        S gain{0};
+        S gain = -gain_of_pressing(event, balls) / speed / speed;
         S before{0};
         for (std::size_t k = 0; k < balls; ++k) {
+            const Body<Type>& ball = body(event, k);
             const Vec v = event.before[k].velocity / speed;
             const Vec change = (event.after[k].velocity - event.before[k].velocity) / speed;
-            gain = gain + body(event, k).mass * math::dot<S>(change, Vec(change + S(2) * v));
-            before = before + body(event, k).mass * math::dot<S>(v, v);
+            const Spin w = turning_of(event.before[k], ball) / speed;
+            const Spin twist = turning_of(event.after[k], ball) / speed - w;
+            const S inertia = inertia_of(ball);
+            gain = gain + ball.mass * (math::dot<S>(change, Vec(change + S(2) * v)) +
+                                       inertia * twist.dot(Spin(twist + S(2) * w)));
+            before = before + ball.mass * (math::dot<S>(v, v) + inertia * w.dot(w));
         }
         const S share = gain == S(0) ? gain : S(gain / before);
         result.note(result.largest_energy_gain, math::to_double<S>(share),
                     share <= S(math::kImpactEnergy) * math::epsilon<S>());
+    }
+
+    /// Twice the energy that an impact of balls pressed together may make, if this was one: see
+    /// impact/pressing.hpp. It shows in how slowly they part.
+    S gain_of_pressing(const Event& event, std::size_t balls) const {
+        if constexpr (Type::Motion::kTransitions) {
+            const S count(static_cast<int>(balls));
+            const S least =
+                count * largest_acceleration<S>(scene_.motion) * scene_.contact_time / S(2);
+            Vec apart = -event.after[0].velocity;
+            S noise = least + math::norm1<S>(apart);
+            S mass = body(event, 0).mass;
+            if (balls == 2) {
+                apart += event.after[1].velocity;
+                noise = noise + math::norm1<S>(event.after[1].velocity);
+                const S other = body(event, 1).mass;
+                mass = mass * (other / (mass + other));
+            }
+            const Vec unit = event.normal / math::norm<S>(event.normal);
+            const S parting = math::dot<S>(apart, unit);
+            return parting <= least + motion_slack<S>() * noise ? S(mass * least * least) : S(0);
+        } else {
+            return S(0);
+        }
     }
 
     void check_momentum(const Event& event, const S& speed, RunAudit& result) const {
@@ -112,8 +163,10 @@ private:
         }
         const S error = math::norm<S>(change);
         const S share = error == S(0) ? error : S(error / before);
+        constexpr int kBound =
+            Type::Motion::kSpin ? math::kFrictionMomentum : math::kImpactMomentum;
         result.note(result.largest_momentum_error, math::to_double<S>(share),
-                    share <= S(math::kImpactMomentum) * math::epsilon<S>());
+                    share <= S(kBound) * math::epsilon<S>());
     }
 
     const SceneData<Type>& scene_;

@@ -18,8 +18,9 @@ struct Thing {
 struct RunAudit {
     double energy_initial = 0;  ///< [J]
     double energy_final = 0;    ///< [J], captured balls with their energy at capture
-    /// Largest gain of kinetic energy at one event, over the energy of its balls before (negative:
-    /// every event lost some); 0 without events.
+    /// Largest gain of energy at one impact, that of spin included, over the energy of its balls
+    /// before (negative: every impact lost some), less what impact/pressing.hpp may add; 0 without
+    /// impacts.
     double largest_energy_gain = 0;
     /// Largest change of momentum at one event of two balls, over the sum of |m v| before.
     double largest_momentum_error = 0;
@@ -33,9 +34,11 @@ struct RunAudit {
     double largest_contact_error = 0;
     /// Largest distance between where a piece ends and the next state of its ball, over the radius.
     double largest_jump = 0;
-    /// Faults of the record: velocity changes without an event, events without pieces around them,
-    /// stretches of time with no piece or with two, events out of order or of captured balls,
-    /// contacts that were not closing or still are, final states that are not the last ones.
+    /// Faults of the record: changes of velocity or spin without an impact, events without pieces
+    /// around them, pieces without events around them, stretches of time with no piece or with two,
+    /// events out of order or of captured balls, contacts that were not closing or still are, final
+    /// states that are not the last ones, and pieces that move or spin otherwise, or in one phase
+    /// for longer, than their motion law says.
     std::uint64_t unexplained = 0;
     /// No fault, and every figure within what rounding explains (math/error_bounds.hpp).
     bool clean = true;

@@ -102,10 +102,36 @@ template <math::Scalar S>
     return smallest_distance_beyond<S>(path, math::Wide<S>(radius));
 }
 
-/// A ball and the straight part of a segment: distance to the line - radius, while the foot of the
-/// perpendicular is between the ends. Past the centre line the ball has gone through: the gap is
-/// then -radius or less. Behind a one-sided segment, and on the way out from behind it, a ball has
-/// no gap.
+/// A stretch of time in which a ball goes steadily from one distance to another from the line of a
+/// segment, with the foot of the perpendicular between its ends: the smallest distance - radius.
+/// Past the centre line the ball has gone through: the gap is then -radius or less. Behind a
+/// one-sided segment, and on the way out from behind it, a ball has no gap.
+template <math::Scalar S>
+[[nodiscard]] GapAt<S> smallest_gap_of_stretch(const math::Wide<S>& first,
+                                               const math::Wide<S>& last, const math::Wide<S>& from,
+                                               const math::Wide<S>& to, const S& radius,
+                                               bool one_sided) {
+    using Wide = math::Wide<S>;
+    const Wide zero{S(0)};
+    const auto gap = [&](const Wide& distance) {
+        return math::narrow(Wide(distance - Wide(radius)));
+    };
+    if (one_sided) {
+        if (!(zero < first)) return {};
+        if (last < first) return {gap(last), to};
+        if (gap(first) < -S(2 * math::kStartOverlap) * radius) return {};
+        return {gap(first), from};
+    }
+    if ((first < zero) != (last < zero)) {
+        const Wide share{math::narrow(first) / math::narrow(Wide(first - last))};
+        return {-radius, from + (to - from) * share};
+    }
+    GapAt<S> smallest{gap(first < zero ? Wide(-first) : first), from};
+    smallest.keep_smaller(gap(last < zero ? Wide(-last) : last), to);
+    return smallest;
+}
+
+/// A ball and the straight part of a segment.
 template <math::Scalar S>
 [[nodiscard]] GapAt<S> smallest_gap(const RelativePath<S>& path, const S& radius,
                                     const geometry::Segment<S>& segment) {
@@ -134,22 +160,7 @@ template <math::Scalar S>
 
     const Wide first = inner<S>(path.at(from), normal);
     const Wide last = inner<S>(path.at(to), normal);
-    const auto gap = [&](const Wide& distance) {
-        return math::narrow(Wide(distance - Wide(radius)));
-    };
-    if (segment.one_sided) {
-        if (!(zero < first)) return {};
-        if (last < first) return {gap(last), to};
-        if (gap(first) < -S(2 * math::kStartOverlap) * radius) return {};
-        return {gap(first), from};
-    }
-    if ((first < zero) != (last < zero)) {
-        const Wide share{math::narrow(first) / math::narrow(Wide(first - last))};
-        return {-radius, from + (to - from) * share};
-    }
-    GapAt<S> smallest{gap(first < zero ? Wide(-first) : first), from};
-    smallest.keep_smaller(gap(last < zero ? Wide(-last) : last), to);
-    return smallest;
+    return smallest_gap_of_stretch<S>(first, last, from, to, radius, segment.one_sided);
 }
 
 /// A ball and the circular part of an arc: | |x| - arc radius | - radius in directions within the
