@@ -34,14 +34,24 @@ struct Info {
 /// a parameter is out of range or not used. Same name and parameters: same bits everywhere.
 [[nodiscard]] Scene make(std::string_view name, const Parameters& parameters = {});
 
-/// Adds the cushions, jaws and rims of a table to the scene ("pool-7ft", "carom-10ft"), marked
-/// closed. The origin is the corner of the nose lines at the bottom left, the length is along y.
-/// Throws SceneError (with the nearest name) if there is no such table.
+/// Adds the cushions, jaws and rims of a table to the scene ("pool-7ft", "pool-8ft", "pool-9ft",
+/// "snooker-12ft", "carom-10ft"), marked closed. The origin is the corner of the nose lines at the
+/// bottom left, the length is along y. Throws SceneError (with the nearest name) if there is no
+/// such table.
 void add_table(Scene& scene, std::string_view name);
 
-/// Adds a rack of balls ("eight-ball": "1" to "15", without a cue ball) on the foot spot of the
-/// pool table that the scene already has, neighbours gap [m] apart, 0 to one radius. Throws
-/// SceneError if there is no such rack or table, or for a gap out of range.
-void add_rack(Scene& scene, std::string_view name, double gap);
+/// How balls are racked.
+struct RackOptions {
+    double gap = 1e-4;  ///< between neighbours [m], from 0 (frozen) to one radius
+    /// If given, each ball among neighbours is displaced at random by less than half the gap.
+    std::optional<std::uint64_t> seed{};
+};
+
+/// Adds a rack of balls to the table that the scene already has: "eight-ball" ("1" to "15") and
+/// "nine-ball" for pool tables, "snooker" ("red-1" to "red-15" and the colours) for the snooker
+/// table, "three-cushion" ("red" and "yellow") for the carom table; each with the ball "cue" at its
+/// place for the break, unless the scene has a ball of that name. Throws SceneError if there is no
+/// such rack (with the nearest name), for the wrong table, or for a gap out of range.
+void add_rack(Scene& scene, std::string_view name, const RackOptions& options = {});
 
 }  // namespace osculo::presets

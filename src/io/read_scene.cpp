@@ -73,14 +73,16 @@ Limits read_limits(const Value& value) {
 }
 
 void add_rack(Scene& scene, const Value& value) {
-    static constexpr Names kKeys{"name", "gap"};
+    static constexpr Names kKeys{"name", "gap", "seed"};
     if (value.kind() == NodeKind::text) {
-        presets::add_rack(scene, value.text(), 0);
+        presets::add_rack(scene, value.text());
         return;
     }
     const Fields fields(value, kKeys);
-    const auto gap = fields.find("gap");
-    presets::add_rack(scene, fields.require("name").text(), gap ? gap->number() : 0);
+    presets::RackOptions options;
+    if (const auto gap = fields.find("gap")) options.gap = gap->number();
+    if (const auto seed = fields.find("seed")) options.seed = seed->natural();
+    presets::add_rack(scene, fields.require("name").text(), options);
 }
 
 template <class Thing>
@@ -107,8 +109,9 @@ Scene read_scene(const Value& value) {
     if (const auto motion = fields.find("motion")) scene.motion = read_motion(*motion);
     if (const auto gravity = fields.find("gravity")) scene.gravity = gravity->number();
     if (const auto table = fields.find("table")) presets::add_table(scene, table->text());
-    if (const auto rack = fields.find("rack")) add_rack(scene, *rack);
+    // The balls that are listed come first: a rack leaves out a cue ball that is there already.
     append(scene.balls, fields.find("balls"), read_ball);
+    if (const auto rack = fields.find("rack")) add_rack(scene, *rack);
     append(scene.segments, fields.find("segments"), read_segment);
     append(scene.arcs, fields.find("arcs"), read_arc);
     append(scene.rims, fields.find("rims"), read_rim);

@@ -78,24 +78,35 @@ TEST(SceneJson, WholeNumbersMayHaveExponents) {
     EXPECT_EQ(scene.limits.events, 1'000'000U);
 }
 
-TEST(SceneJson, ExpandsTableAndRackAndAppendsBalls) {
+TEST(SceneJson, ExpandsTableAndRackAfterTheBallsThatAreListed) {
     const Scene scene = scene_from_json(R"({"schema": "osculo/scene-1",
         "table": "pool-7ft", "rack": {"name": "eight-ball", "gap": 0.001},
         "balls": [{"id": "cue", "mass": 0.17, "radius": 0.028, "position": [0.5, 0.5]}]})");
     Scene expected;
     presets::add_table(expected, "pool-7ft");
-    presets::add_rack(expected, "eight-ball", 0.001);
+    presets::add_rack(expected, "eight-ball", {.gap = 0.001});
     ASSERT_EQ(scene.balls.size(), 16U);
-    EXPECT_EQ(scene.balls[15].id, "cue");
-    EXPECT_EQ(scene.balls[3], expected.balls[3]);
+    EXPECT_EQ(scene.balls[0].id, "cue");
+    EXPECT_EQ(scene.balls[0].position, (Point{0.5, 0.5}));
+    EXPECT_EQ(scene.balls[4], expected.balls[3]);
     EXPECT_EQ(scene.segments, expected.segments);
     EXPECT_TRUE(scene.closed);
 
     const Scene tight = scene_from_json(
-        R"({"schema": "osculo/scene-1", "table": "pool-7ft", "rack": "eight-ball",
-            "closed": false})");
+        R"({"schema": "osculo/scene-1", "table": "pool-7ft",
+            "rack": {"name": "eight-ball", "gap": 0}, "closed": false})");
     EXPECT_EQ(tight.balls[1].position.x, expected.balls[0].position.x - 0.028575);
+    EXPECT_EQ(tight.balls[15].id, "cue");
     EXPECT_FALSE(tight.closed);
+}
+
+TEST(SceneJson, RacksHaveSeeds) {
+    const Scene scene = scene_from_json(R"({"schema": "osculo/scene-1", "table": "pool-9ft",
+        "rack": {"name": "nine-ball", "gap": 2e-4, "seed": 18446744073709551615}})");
+    Scene expected;
+    presets::add_table(expected, "pool-9ft");
+    presets::add_rack(expected, "nine-ball", {.gap = 2e-4, .seed = 18446744073709551615U});
+    EXPECT_EQ(scene.balls, expected.balls);
 }
 
 }  // namespace
