@@ -156,7 +156,7 @@ struct Limits {
 
 /// A cue strikes a ball at rest before the run begins; needs cloth.
 struct Cue {
-    std::string ball;                ///< id of the ball
+    std::string ball = "cue";        ///< id of the ball
     double speed = 1;                ///< of the cue [m/s], > 0
     double azimuth = 0;              ///< direction of the shot, from x towards y [rad]
     double elevation = 0;            ///< of the butt [rad], in [0, pi/2)

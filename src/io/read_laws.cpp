@@ -86,12 +86,12 @@ MotionLaw read_motion(const Value& value) {
     return UniformMotion{};
 }
 
-Impacts read_impacts(const Value& value) {
+Impacts read_impacts(const Value& value, const Impacts& defaults) {
     static constexpr Names kSimultaneous{"sequential"};
     static constexpr Names kPlannedSimultaneous{"symmetric"};
     static constexpr Names kKeys{"ball_ball", "ball_cushion", "simultaneous", "contact_time"};
     const Fields fields(value, kKeys);
-    Impacts result;
+    Impacts result = defaults;
     if (const auto law = fields.find("ball_ball")) result.ball_ball = read_ball_ball(*law);
     if (const auto law = fields.find("ball_cushion")) {
         result.ball_cushion = read_ball_cushion(*law);
@@ -109,7 +109,7 @@ Cue read_cue(const Value& value) {
                                  "mass", "end_mass", "restitution", "miscue_limit"};
     const Fields fields(value, kKeys);
     Cue cue;
-    cue.ball = fields.require("ball").text();
+    if (const auto ball = fields.find("ball")) cue.ball = ball->text();
     cue.speed = fields.require("speed").number();
     cue.azimuth = fields.require("azimuth").number();
     take(fields, "elevation", cue.elevation);

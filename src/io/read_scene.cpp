@@ -106,16 +106,23 @@ Scene read_scene(const Value& value) {
     static_cast<void>(fields.require("schema"));
 
     Scene scene;
+    if (const auto table = fields.find("table")) {
+        presets::add_table(scene, table->text());
+        presets::set_table_laws(scene, table->text());
+    }
     if (const auto motion = fields.find("motion")) scene.motion = read_motion(*motion);
+    // The impacts of a table have friction, which no other motion law knows.
+    if (!std::holds_alternative<ClothMotion>(scene.motion)) scene.impacts = {};
     if (const auto gravity = fields.find("gravity")) scene.gravity = gravity->number();
-    if (const auto table = fields.find("table")) presets::add_table(scene, table->text());
     // The balls that are listed come first: a rack leaves out a cue ball that is there already.
     append(scene.balls, fields.find("balls"), read_ball);
     if (const auto rack = fields.find("rack")) add_rack(scene, *rack);
     append(scene.segments, fields.find("segments"), read_segment);
     append(scene.arcs, fields.find("arcs"), read_arc);
     append(scene.rims, fields.find("rims"), read_rim);
-    if (const auto impacts = fields.find("impacts")) scene.impacts = read_impacts(*impacts);
+    if (const auto impacts = fields.find("impacts")) {
+        scene.impacts = read_impacts(*impacts, scene.impacts);
+    }
     if (const auto cue = fields.find("cue")) scene.cue = read_cue(*cue);
     if (const auto closed = fields.find("closed")) scene.closed = closed->boolean();
     if (const auto limits = fields.find("limits")) scene.limits = read_limits(*limits);

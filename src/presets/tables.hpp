@@ -22,8 +22,8 @@ inline constexpr Bed kCarom10ft{1.42, 2.84};
 inline constexpr double kPoolBallRadius = 0.028575;
 inline constexpr double kPoolBallMass = 0.170097;
 
-/// Ball of snooker: 2 1/16 in, as most sets are made (the rules say 52.5 mm, a tenth of a millimetre
-/// more), and 140 g, which the rules leave open [WPBSA rules, section 1; pooltool].
+/// Ball of snooker: 2 1/16 in, as most sets are made (the rules say 52.5 mm, a tenth of a
+/// millimetre more), and 140 g, which the rules leave open [WPBSA rules, section 1; pooltool].
 inline constexpr double kSnookerBallRadius = 0.02619375;
 inline constexpr double kSnookerBallMass = 0.14;
 

@@ -24,6 +24,53 @@ TEST(SceneJson, RoundTripOfPresets) {
     }
 }
 
+TEST(SceneJson, ShortPresetsAreTheWholeScene) {
+    int count = 0;
+    for (const presets::Info& info : presets::list()) {
+        const auto text = presets::short_text(info.name);
+        if (!text) continue;
+        EXPECT_EQ(scene_from_json(*text), presets::make(info.name)) << *text;
+        EXPECT_LT(text->size(), 250U);
+        ++count;
+    }
+    EXPECT_EQ(count, 4);
+    const presets::Parameters parameters{.gap = 3e-4, .speed = 6.5, .seed = 12};
+    EXPECT_EQ(scene_from_json(*presets::short_text("nine-ball", parameters)),
+              presets::make("nine-ball", parameters));
+}
+
+TEST(SceneJson, ATableBringsItsLaws) {
+    const auto read = [](const std::string& members) {
+        return scene_from_json(R"({"schema": "osculo/scene-1", "table": "pool-9ft")" + members +
+                               "}");
+    };
+    Scene laws;
+    presets::set_table_laws(laws, "pool-9ft");
+    EXPECT_EQ(read("").motion, laws.motion);
+    EXPECT_EQ(read("").impacts, laws.impacts);
+
+    // What is given stands; the rest is the table's.
+    const Scene other_cloth = read(R"(, "motion": {"law": "cloth", "rolling_friction": 0.02})");
+    EXPECT_EQ(std::get<ClothMotion>(other_cloth.motion).rolling_friction, 0.02);
+    EXPECT_EQ(other_cloth.impacts, laws.impacts);
+    const Scene other_balls =
+        read(R"(, "impacts": {"ball_ball": {"law": "restitution", "restitution": 0.9}})");
+    EXPECT_EQ(other_balls.impacts.ball_ball.law, BallBallLaw::restitution);
+    EXPECT_EQ(other_balls.impacts.ball_cushion, laws.impacts.ball_cushion);
+
+    // The friction of a table's impacts needs its cloth.
+    EXPECT_EQ(read(R"(, "motion": {"law": "uniform"})").impacts, Impacts{});
+}
+
+TEST(SceneJson, TheCueStrikesTheCueBall) {
+    const Scene scene = scene_from_json(
+        R"({"schema": "osculo/scene-1", "table": "pool-9ft", "rack": "eight-ball",
+            "cue": {"speed": 8, "azimuth": 1.5707963267948966}})");
+    EXPECT_EQ(scene.cue->ball, "cue");
+    EXPECT_EQ(scene.cue->azimuth, 1.5707963267948966);
+    EXPECT_EQ(scene.balls.back().id, "cue");
+}
+
 TEST(SceneJson, IsWrittenAsDocumented) {
     Scene scene;
     scene.balls.push_back({"cue", 0.17, 0.5, {0.1, -0.0}, {1e-7, 1e22}, {0, 0, -2}});

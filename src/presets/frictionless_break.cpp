@@ -4,7 +4,7 @@
 
 namespace osculo::presets {
 
-Scene make_break(const Parameters& parameters) {
+Scene make_frictionless_break(const Parameters& parameters) {
     Scene scene;
     add_table(scene, "pool-7ft");
     scene.impacts = impacts_of(parameters);
