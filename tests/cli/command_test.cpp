@@ -50,6 +50,19 @@ TEST(Run, PrintsASummary) {
     EXPECT_EQ(osculo({"run", name, "--quiet"}).out, "");
 }
 
+TEST(Run, SaysWhatPlayersAskFor) {
+    const Result result = osculo({"run", "preset:break"});
+    EXPECT_TRUE(result.out.starts_with("preset:break: everything at rest at ")) << result.out;
+    for (const char* part :
+         {"\n  hits      1         ", "\n  cushions  cue meets 0 before its first hit and ",
+          " other balls meet one\n", "\n  kisses    "}) {
+        EXPECT_TRUE(contains(result.out, part)) << part << result.out;
+    }
+    EXPECT_TRUE(contains(osculo({"run", "preset:carom"}).out, " s  after 4 cushions\n"));
+    EXPECT_FALSE(contains(osculo({"run", "preset:gas"}).out, "\n  hits"));
+    EXPECT_FALSE(contains(osculo({"run", "preset:break", "--record", "none"}).out, "\n  hits"));
+}
+
 TEST(Run, WritesWhatTheLibraryComputes) {
     const TemporaryDirectory directory;
     const std::string json = directory / "run.json";
