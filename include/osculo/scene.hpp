@@ -165,6 +165,7 @@ struct Cue {
     double end_mass = 0.006;         ///< of the part of the cue that is pushed aside [kg], >= 0
     double restitution = 1;          ///< of the tip, in [0, 1]
     double miscue_limit = 0.55;      ///< largest offset [ball radii], in (0, 1]
+    bool allow_obstructed = false;   ///< the stick may pass through balls and cushions
     friend bool operator==(const Cue&, const Cue&) = default;
 };
 
@@ -203,5 +204,10 @@ private:
 
 /// Checks every rule of the scene; throws SceneError for the first one broken. O(n log n) in balls.
 void validate(const Scene& scene);
+
+/// The least elevation of the scene's cue [rad], in whole milliradians, at which its stick passes
+/// over every other ball and every cushion that is in its way (README.md: The stick); 0 if nothing
+/// is. Nothing if there is no such elevation.
+[[nodiscard]] std::optional<double> least_elevation(const Scene& scene);
 
 }  // namespace osculo

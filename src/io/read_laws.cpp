@@ -105,8 +105,9 @@ Impacts read_impacts(const Value& value, const Impacts& defaults) {
 }
 
 Cue read_cue(const Value& value) {
-    static constexpr Names kKeys{"ball", "speed",    "azimuth",     "elevation",   "offset",
-                                 "mass", "end_mass", "restitution", "miscue_limit"};
+    static constexpr Names kKeys{
+        "ball", "speed",    "azimuth",     "elevation",    "offset",
+        "mass", "end_mass", "restitution", "miscue_limit", "allow_obstructed"};
     const Fields fields(value, kKeys);
     Cue cue;
     if (const auto ball = fields.find("ball")) cue.ball = ball->text();
@@ -118,6 +119,9 @@ Cue read_cue(const Value& value) {
     take(fields, "end_mass", cue.end_mass);
     take(fields, "restitution", cue.restitution);
     take(fields, "miscue_limit", cue.miscue_limit);
+    if (const auto allow = fields.find("allow_obstructed")) {
+        cue.allow_obstructed = allow->boolean();
+    }
     return cue;
 }
 

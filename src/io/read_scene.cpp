@@ -123,9 +123,14 @@ Scene read_scene(const Value& value) {
     if (const auto impacts = fields.find("impacts")) {
         scene.impacts = read_impacts(*impacts, scene.impacts);
     }
-    if (const auto cue = fields.find("cue")) scene.cue = read_cue(*cue);
+    const auto cue = fields.find("cue");
+    if (cue) scene.cue = read_cue(*cue);
     if (const auto closed = fields.find("closed")) scene.closed = closed->boolean();
     if (const auto limits = fields.find("limits")) scene.limits = read_limits(*limits);
+    // As level as what is in the way of the stick allows.
+    if (cue && !cue->member("elevation") && !scene.cue->allow_obstructed) {
+        scene.cue->elevation = least_elevation(scene).value_or(0);
+    }
     validate(scene);
     return scene;
 }

@@ -21,11 +21,11 @@ struct Preset {
 
 constexpr std::array kPresets{
     Preset{{"break", "the break of eight-ball on a 9 ft pool table",
-            "speed (8, of the cue), gap (1e-4), seed (9)"},
+            "speed (8, of the cue), gap (1e-4), seed (31)"},
            nullptr,
            break_shot},
     Preset{{"nine-ball", "the break of nine-ball on a 9 ft pool table",
-            "speed (8, of the cue), gap (1e-4), seed (3)"},
+            "speed (8, of the cue), gap (1e-4), seed (10)"},
            nullptr,
            nine_ball_shot},
     Preset{{"snooker-break", "a safe break on a 12 ft snooker table",
@@ -33,7 +33,7 @@ constexpr std::array kPresets{
            nullptr,
            snooker_break_shot},
     Preset{{"three-cushion", "the opening shot of three-cushion on a 10 ft carom table",
-            "speed (3, of the cue)"},
+            "speed (3.5, of the cue)"},
            nullptr,
            three_cushion_shot},
     Preset{{"frictionless-break",

@@ -33,6 +33,7 @@ Scene scene_of(const Shot& shot) {
     set_table_laws(scene, shot.table);
     add_rack(scene, shot.rack, shot.options);
     scene.cue = shot.cue;
+    scene.cue->elevation = least_elevation(scene).value_or(0);
     return scene;
 }
 

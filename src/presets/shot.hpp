@@ -6,7 +6,7 @@
 
 namespace osculo::presets {
 
-/// A scene that is a table, a rack and a strike, and nothing else.
+/// A scene that is a table, a rack and a strike, as level as can be, and nothing else.
 struct Shot {
     std::string_view table;
     std::string_view rack;

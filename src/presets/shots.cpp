@@ -29,23 +29,26 @@ Cue cue_of(const Parameters& parameters, double speed, double azimuth) {
 // Straight at the first ball. The cue ball leaves a cue of 8 m/s at 12 m/s, as fast as in
 // professional play.
 Shot break_shot(const Parameters& parameters) {
-    return {"pool-9ft", "eight-ball", rack_of(parameters, 9), cue_of(parameters, 8, kUpTheTable)};
+    return {"pool-9ft", "eight-ball", rack_of(parameters, 31), cue_of(parameters, 8, kUpTheTable)};
 }
 
 Shot nine_ball_shot(const Parameters& parameters) {
-    return {"pool-9ft", "nine-ball", rack_of(parameters, 3), cue_of(parameters, 8, kUpTheTable)};
+    return {"pool-9ft", "nine-ball", rack_of(parameters, 10), cue_of(parameters, 8, kUpTheTable)};
 }
 
 // The usual safe break: thin on the last red to the right, with right-hand side, around the table
 // and back to baulk.
 Shot snooker_break_shot(const Parameters& parameters) {
-    Shot shot{"snooker-12ft", "snooker", rack_of(parameters, 1), cue_of(parameters, 3, 1.6)};
+    Shot shot{"snooker-12ft", "snooker", rack_of(parameters, 1), cue_of(parameters, 3, 1.576)};
     shot.cue.offset = {-0.3, 0};
     return shot;
 }
 
+// Red first, as the rules ask for, then three cushions and yellow: a point.
 Shot three_cushion_shot(const Parameters& parameters) {
-    return {"carom-10ft", "three-cushion", {}, cue_of(parameters, 3, 1.6)};
+    Shot shot{"carom-10ft", "three-cushion", {}, cue_of(parameters, 3.5, 1.704)};
+    shot.cue.offset = {-0.3, 0};
+    return shot;
 }
 
 }  // namespace osculo::presets

@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include "osculo/outcome.hpp"
 #include "osculo/presets.hpp"
 #include "osculo/simulate.hpp"
 
@@ -64,7 +65,7 @@ TEST(Presets, AreTheSameBitsEverywhere) {
 TEST(Presets, RefuseWhatTheyDoNotKnow) {
     EXPECT_EQ(error_of("break", {.restitution = 0.5}),
               "restitution: is not a parameter of the preset break, which takes speed (8, of the "
-              "cue), gap (1e-4), seed (9)");
+              "cue), gap (1e-4), seed (31)");
     EXPECT_EQ(error_of("braek"),
               "preset: must be the name of a preset, did you mean break?, but it is braek");
     EXPECT_EQ(error_of("cradle", {.digits = 3}),
@@ -225,6 +226,29 @@ TEST(Shots, ComeToRest) {
     }
     EXPECT_EQ(short_text("gas"), std::nullopt);
     EXPECT_THROW(static_cast<void>(short_text("break", {.gap = 1.0})), SceneError);
+}
+
+TEST(Shots, AreWhatTheySay) {
+    const auto play = [](const char* name) { return outcome_of(simulate(make(name))).value(); };
+    const auto fell = [](const Outcome& outcome, std::uint32_t ball) {
+        return std::ranges::count(outcome.falls, ball, &Outcome::Fall::ball) == 1;
+    };
+    for (const char* name : {"break", "nine-ball"}) {
+        const Outcome outcome = play(name);
+        EXPECT_EQ(outcome.hits[0].ball, 0U) << name;  // the 1
+        EXPECT_FALSE(fell(outcome, outcome.cue_ball.value())) << name;
+        EXPECT_EQ(outcome.falls.size(), 2U) << name;
+        EXPECT_GE(outcome.driven_to_cushion, 4U) << name;
+    }
+    const Outcome safe = play("snooker-break");
+    EXPECT_EQ(make("snooker-break").balls[safe.hits.at(0).ball].id, "red-15");
+    EXPECT_LT(safe.balls[safe.cue_ball.value()].position.y, 0.737);  // back in baulk
+    EXPECT_TRUE(safe.falls.empty());
+    const Outcome point = play("three-cushion");
+    ASSERT_EQ(point.hits.size(), 2U);
+    EXPECT_EQ(make("three-cushion").balls[point.hits[0].ball].id, "red");
+    EXPECT_EQ(point.hits[0].cushions, 0U);
+    EXPECT_EQ(point.hits[1].cushions, 3U);
 }
 
 TEST(TableLaws, AreThoseOfTheGame) {
