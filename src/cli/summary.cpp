@@ -122,10 +122,11 @@ void report_outcome(Report& report, const Run& run) {
     if (outcome->hits.size() > kMost) {
         report.line("", fmt::format("and {} more", outcome->hits.size() - kMost));
     }
-    report.line("cushions", fmt::format("{} meets {} before its first hit and {} after, {} other "
-                                        "balls meet one",
+    report.line("cushions", fmt::format("{} meets {} before its first hit and {} after; {} driven "
+                                        "to one",
                                         id(*outcome->cue_ball), outcome->cushions_before_hit,
-                                        outcome->cushions_after_hit, outcome->driven_to_cushion));
+                                        outcome->cushions_after_hit,
+                                        counted(outcome->driven_to_cushion, "other ball")));
     report.line("kisses", std::to_string(outcome->kisses));
 }
 

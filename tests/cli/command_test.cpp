@@ -55,7 +55,7 @@ TEST(Run, SaysWhatPlayersAskFor) {
     EXPECT_TRUE(result.out.starts_with("preset:break: everything at rest at ")) << result.out;
     for (const char* part :
          {"\n  hits      1         ", "\n  cushions  cue meets 0 before its first hit and ",
-          " other balls meet one\n", "\n  kisses    "}) {
+          " other balls driven to one\n", "\n  kisses    "}) {
         EXPECT_TRUE(contains(result.out, part)) << part << result.out;
     }
     EXPECT_TRUE(contains(osculo({"run", "preset:carom"}).out, " s  after 4 cushions\n"));
@@ -125,7 +125,7 @@ TEST(Render, DrawsScenesAndRuns) {
 TEST(Validate, SaysWhatIsInTheScene) {
     const Result result = osculo({"validate", "preset:break"});
     EXPECT_EQ(result.code, 0);
-    EXPECT_EQ(result.out, "preset:break: valid: 16 balls, 18 segments, 12 arcs, 6 rims\n");
+    EXPECT_EQ(result.out, "preset:break: valid: 16 balls, 18 segments, 12 arcs, 6 rims, closed\n");
 }
 
 TEST(Explain, NamesTheEngineAndWhatItLeavesOut) {
