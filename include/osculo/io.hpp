@@ -24,7 +24,8 @@ public:
 [[nodiscard]] Scene scene_from_json(std::string_view text);
 [[nodiscard]] Scene scene_from_msgpack(std::string_view bytes);
 
-/// A run (schema osculo/run-1), as written by run_to_json.
+/// A run (schema osculo/run-1), as written by run_to_json. Its outcome, if it has one, must be that
+/// of its events.
 [[nodiscard]] Run run_from_json(std::string_view text);
 [[nodiscard]] Run run_from_msgpack(std::string_view bytes);
 
@@ -40,7 +41,7 @@ public:
 [[nodiscard]] std::string scene_to_json(const Scene& scene);
 
 /// The run as JSON (schema osculo/run-1), one event or piece per line, with the scene it is a run
-/// of. Low parts and spins of zero are left out.
+/// of, and its outcome if events were recorded. Low parts and spins of zero are left out.
 [[nodiscard]] std::string run_to_json(const Run& run);
 
 /// The same document as MessagePack. Throws FormatError if the text is not JSON.

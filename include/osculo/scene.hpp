@@ -156,7 +156,7 @@ struct Limits {
 
 /// A cue strikes a ball at rest before the run begins; needs cloth.
 struct Cue {
-    std::string ball;                ///< id of the ball
+    std::string ball = "cue";        ///< id of the ball
     double speed = 1;                ///< of the cue [m/s], > 0
     double azimuth = 0;              ///< direction of the shot, from x towards y [rad]
     double elevation = 0;            ///< of the butt [rad], in [0, pi/2)
@@ -165,6 +165,7 @@ struct Cue {
     double end_mass = 0.006;         ///< of the part of the cue that is pushed aside [kg], >= 0
     double restitution = 1;          ///< of the tip, in [0, 1]
     double miscue_limit = 0.55;      ///< largest offset [ball radii], in (0, 1]
+    bool allow_obstructed = false;   ///< the stick may pass through balls and cushions
     friend bool operator==(const Cue&, const Cue&) = default;
 };
 
@@ -203,5 +204,10 @@ private:
 
 /// Checks every rule of the scene; throws SceneError for the first one broken. O(n log n) in balls.
 void validate(const Scene& scene);
+
+/// The least elevation of the scene's cue [rad], in whole milliradians, at which its stick passes
+/// over every other ball and every cushion that is in its way (README.md: The stick); 0 if nothing
+/// is. Nothing if there is no such elevation.
+[[nodiscard]] std::optional<double> least_elevation(const Scene& scene);
 
 }  // namespace osculo

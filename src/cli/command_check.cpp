@@ -20,10 +20,12 @@ void add_validate(CLI::App& app) {
     command->footer(
         "Example:\n"
         "  osculo validate scene.json\n"
+        "Says `closed` if the scene asks for proof that no ball can leave, and has it.\n"
         "Exit code: 0 valid, 3 invalid: then one line says what is wrong where.");
     command->callback([name] {
         const Scene scene = load_scene(*name);
-        write_output(fmt::format("{}: valid: {}\n", *name, contents(scene)));
+        write_output(fmt::format("{}: valid: {}{}\n", *name, contents(scene),
+                                 scene.closed ? ", closed" : ""));
     });
 }
 

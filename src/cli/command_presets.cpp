@@ -21,15 +21,19 @@ struct PresetArguments {
 std::string listing() {
     std::string text;
     for (const presets::Info& info : presets::list()) {
-        text += fmt::format("{:<8}{}\n{:<8}{}\n", info.name, info.description, "", info.parameters);
+        text +=
+            fmt::format("{:<20}{}\n{:<20}{}\n", info.name, info.description, "", info.parameters);
     }
     return text;
 }
 
+// As short as can be: what a table, a rack and a strike say in three lines is not spelled out.
 void write_preset(const PresetArguments& arguments) {
     try {
-        const Scene scene = presets::make(arguments.name, arguments.parameters);
-        save_json(arguments.output, io::scene_to_json(scene));
+        const auto text = presets::short_text(arguments.name, arguments.parameters);
+        save_json(
+            arguments.output,
+            text ? *text : io::scene_to_json(presets::make(arguments.name, arguments.parameters)));
     } catch (const SceneError& error) {
         throw Failure(kInvalidScene, "preset:" + arguments.name + ": " + error.what());
     }
@@ -60,6 +64,7 @@ void add_presets(CLI::App& app) {
     command->footer(
         "Examples:\n"
         "  osculo presets\n"
+        "  osculo presets break > break.json\n"
         "  osculo presets gas --balls 1000 --packing 0.5 --seed 7 > gas.json");
     command->callback([arguments] {
         if (arguments->name.empty()) {

@@ -4,8 +4,11 @@
 #include <array>
 #include <iterator>
 #include <map>
+#include <optional>
 
 #include <fmt/format.h>
+
+#include "osculo/outcome.hpp"
 
 namespace osculo::cli {
 namespace {
@@ -101,6 +104,32 @@ void report_captures(Report& report, const Run& run) {
     if (lines.size() > kMost) report.line("", fmt::format("and {} more", lines.size() - kMost));
 }
 
+// What players ask for; of scenes that begin with one moving ball.
+void report_outcome(Report& report, const Run& run) {
+    const std::optional<Outcome> outcome = outcome_of(run);
+    if (!outcome || !outcome->cue_ball) return;
+    const auto id = [&run](std::uint32_t ball) -> const std::string& {
+        return run.scene.balls[ball].id;
+    };
+    constexpr std::size_t kMost = 8;
+    if (outcome->hits.empty()) report.line("hits", id(*outcome->cue_ball) + " hits nothing");
+    for (std::size_t i = 0; i < std::min(outcome->hits.size(), kMost); ++i) {
+        const Outcome::Hit& hit = outcome->hits[i];
+        std::string text = fmt::format("{:<6}{:>12.6f} s", id(hit.ball), hit.time);
+        if (hit.cushions > 0) text += "  after " + counted(hit.cushions, "cushion");
+        report.line(i == 0 ? "hits" : "", text);
+    }
+    if (outcome->hits.size() > kMost) {
+        report.line("", fmt::format("and {} more", outcome->hits.size() - kMost));
+    }
+    report.line("cushions", fmt::format("{} meets {} before its first hit and {} after; {} driven "
+                                        "to one",
+                                        id(*outcome->cue_ball), outcome->cushions_before_hit,
+                                        outcome->cushions_after_hit,
+                                        counted(outcome->driven_to_cushion, "other ball")));
+    report.line("kisses", std::to_string(outcome->kisses));
+}
+
 void report_audit(Report& report, const Audit& audit) {
     report.line("audit", audit.clean ? "clean" : "NOT CLEAN");
     std::string gap = fmt::format("{:.3g} radii", audit.worst_gap);
@@ -127,7 +156,8 @@ std::string summary(const Run& run, const std::string& name, double seconds) {
     report_events(report, run);
     report_balls(report, run);
     report_captures(report, run);
-    report_energy(report, run);
+    report_outcome(report, run);
+    if (!run.scene.cue) report_energy(report, run);
     if (run.audit) report_audit(report, *run.audit);
     report.line("engine", run.engine.name);
     report.line("took",

@@ -2,11 +2,37 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "compile_cue.hpp"
+#include "stick.hpp"
 #include "text.hpp"
 
 namespace osculo::facade {
+namespace {
+
+/// Throws if the stick would have to pass through something.
+void validate_stick(const Scene& scene) {
+    const Cue& cue = *scene.cue;
+    if (cue.allow_obstructed) return;
+    const auto obstruction = find_obstruction(scene, cue.elevation);
+    if (!obstruction) return;
+    const auto least = least_elevation(scene);
+    if (!least) {
+        throw SceneError("cue.azimuth",
+                         concatenated("must leave room for the stick, which meets ", *obstruction,
+                                      " whatever its elevation (or set allow_obstructed)"),
+                         number_text(cue.azimuth));
+    }
+    const double degrees = std::ceil(*least * (1800 / std::numbers::pi)) / 10;
+    throw SceneError("cue.elevation",
+                     concatenated("must be at least ", number_text(*least), " (",
+                                  number_text(degrees), " degrees) for the stick to pass over ",
+                                  *obstruction, " (or set allow_obstructed)"),
+                     number_text(cue.elevation));
+}
+
+}  // namespace
 
 void validate_cue(const Scene& scene) {
     if (!scene.cue) return;
@@ -50,6 +76,7 @@ void validate_cue(const Scene& scene) {
                     offset);
             break;
     }
+    validate_stick(scene);
 }
 
 }  // namespace osculo::facade

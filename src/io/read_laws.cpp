@@ -86,12 +86,12 @@ MotionLaw read_motion(const Value& value) {
     return UniformMotion{};
 }
 
-Impacts read_impacts(const Value& value) {
+Impacts read_impacts(const Value& value, const Impacts& defaults) {
     static constexpr Names kSimultaneous{"sequential"};
     static constexpr Names kPlannedSimultaneous{"symmetric"};
     static constexpr Names kKeys{"ball_ball", "ball_cushion", "simultaneous", "contact_time"};
     const Fields fields(value, kKeys);
-    Impacts result;
+    Impacts result = defaults;
     if (const auto law = fields.find("ball_ball")) result.ball_ball = read_ball_ball(*law);
     if (const auto law = fields.find("ball_cushion")) {
         result.ball_cushion = read_ball_cushion(*law);
@@ -105,11 +105,12 @@ Impacts read_impacts(const Value& value) {
 }
 
 Cue read_cue(const Value& value) {
-    static constexpr Names kKeys{"ball", "speed",    "azimuth",     "elevation",   "offset",
-                                 "mass", "end_mass", "restitution", "miscue_limit"};
+    static constexpr Names kKeys{
+        "ball", "speed",    "azimuth",     "elevation",    "offset",
+        "mass", "end_mass", "restitution", "miscue_limit", "allow_obstructed"};
     const Fields fields(value, kKeys);
     Cue cue;
-    cue.ball = fields.require("ball").text();
+    if (const auto ball = fields.find("ball")) cue.ball = ball->text();
     cue.speed = fields.require("speed").number();
     cue.azimuth = fields.require("azimuth").number();
     take(fields, "elevation", cue.elevation);
@@ -118,6 +119,9 @@ Cue read_cue(const Value& value) {
     take(fields, "end_mass", cue.end_mass);
     take(fields, "restitution", cue.restitution);
     take(fields, "miscue_limit", cue.miscue_limit);
+    if (const auto allow = fields.find("allow_obstructed")) {
+        cue.allow_obstructed = allow->boolean();
+    }
     return cue;
 }
 

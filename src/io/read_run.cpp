@@ -1,5 +1,6 @@
 #include <unordered_map>
 
+#include "io/outcome.hpp"
 #include "io/read.hpp"
 #include "osculo/io.hpp"
 
@@ -206,8 +207,8 @@ Status read_status(const Value& value) {
 
 Run read_run(const Value& value) {
     static constexpr Names kSchemas{kRunSchema};
-    static constexpr Names kKeys{"schema", "status", "time",   "event_count", "engine", "audit",
-                                 "balls",  "points", "events", "pieces",      "scene"};
+    static constexpr Names kKeys{"schema",  "status", "time",   "event_count", "engine", "audit",
+                                 "outcome", "balls",  "points", "events",      "pieces", "scene"};
     if (const auto schema = value.member("schema")) choice(*schema, kSchemas);
     const Fields fields(value, kKeys);
     static_cast<void>(fields.require("schema"));
@@ -236,6 +237,7 @@ Run read_run(const Value& value) {
     const Value pieces = fields.require("pieces");
     run.pieces.reserve(pieces.size());
     pieces.for_each([&](const Value& piece) { run.pieces.push_back(read_piece(piece, indices)); });
+    if (const auto outcome = fields.find("outcome")) check_outcome(*outcome, run);
     return run;
 }
 

@@ -73,14 +73,16 @@ Limits read_limits(const Value& value) {
 }
 
 void add_rack(Scene& scene, const Value& value) {
-    static constexpr Names kKeys{"name", "gap"};
+    static constexpr Names kKeys{"name", "gap", "seed"};
     if (value.kind() == NodeKind::text) {
-        presets::add_rack(scene, value.text(), 0);
+        presets::add_rack(scene, value.text());
         return;
     }
     const Fields fields(value, kKeys);
-    const auto gap = fields.find("gap");
-    presets::add_rack(scene, fields.require("name").text(), gap ? gap->number() : 0);
+    presets::RackOptions options;
+    if (const auto gap = fields.find("gap")) options.gap = gap->number();
+    if (const auto seed = fields.find("seed")) options.seed = seed->natural();
+    presets::add_rack(scene, fields.require("name").text(), options);
 }
 
 template <class Thing>
@@ -104,18 +106,31 @@ Scene read_scene(const Value& value) {
     static_cast<void>(fields.require("schema"));
 
     Scene scene;
+    if (const auto table = fields.find("table")) {
+        presets::add_table(scene, table->text());
+        presets::set_table_laws(scene, table->text());
+    }
     if (const auto motion = fields.find("motion")) scene.motion = read_motion(*motion);
+    // The impacts of a table have friction, which no other motion law knows.
+    if (!std::holds_alternative<ClothMotion>(scene.motion)) scene.impacts = {};
     if (const auto gravity = fields.find("gravity")) scene.gravity = gravity->number();
-    if (const auto table = fields.find("table")) presets::add_table(scene, table->text());
-    if (const auto rack = fields.find("rack")) add_rack(scene, *rack);
+    // The balls that are listed come first: a rack leaves out a cue ball that is there already.
     append(scene.balls, fields.find("balls"), read_ball);
+    if (const auto rack = fields.find("rack")) add_rack(scene, *rack);
     append(scene.segments, fields.find("segments"), read_segment);
     append(scene.arcs, fields.find("arcs"), read_arc);
     append(scene.rims, fields.find("rims"), read_rim);
-    if (const auto impacts = fields.find("impacts")) scene.impacts = read_impacts(*impacts);
-    if (const auto cue = fields.find("cue")) scene.cue = read_cue(*cue);
+    if (const auto impacts = fields.find("impacts")) {
+        scene.impacts = read_impacts(*impacts, scene.impacts);
+    }
+    const auto cue = fields.find("cue");
+    if (cue) scene.cue = read_cue(*cue);
     if (const auto closed = fields.find("closed")) scene.closed = closed->boolean();
     if (const auto limits = fields.find("limits")) scene.limits = read_limits(*limits);
+    // As level as what is in the way of the stick allows.
+    if (cue && !cue->member("elevation") && !scene.cue->allow_obstructed) {
+        scene.cue->elevation = least_elevation(scene).value_or(0);
+    }
     validate(scene);
     return scene;
 }

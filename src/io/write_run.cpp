@@ -1,5 +1,6 @@
 #include "io/json_text.hpp"
 #include "io/members.hpp"
+#include "io/outcome.hpp"
 #include "io/read.hpp"
 #include "osculo/io.hpp"
 
@@ -111,6 +112,10 @@ std::string run_to_json(const Run& run) {
     if (run.audit) {
         key("audit");
         write_audit(json, *run.audit);
+    }
+    if (const auto outcome = outcome_of(run)) {
+        key("outcome");
+        write_outcome(json, run, *outcome);
     }
     key("balls");
     json.lines(run.balls, "  ", [&](const FinalBall& ball) { write_ball(json, run, ball); });

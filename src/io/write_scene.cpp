@@ -106,6 +106,10 @@ void write_cue(JsonText& json, const Cue& cue) {
     members.number("end_mass", cue.end_mass);
     members.number("restitution", cue.restitution);
     members.number("miscue_limit", cue.miscue_limit);
+    if (cue.allow_obstructed) {
+        members.key("allow_obstructed");
+        json.boolean(true);
+    }
     members.close();
 }
 

@@ -10,23 +10,64 @@
 namespace osculo::presets {
 namespace {
 
-constexpr std::array kInfos{
-    Info{"box", "balls in an empty box of 1 m x 1 m",
-         "balls (1, up to 100), speed (1), restitution (1), seed (2)"},
-    Info{"carom", "three balls on a 10 ft carom table, one moving", "speed (4), restitution (1)"},
-    Info{"cradle", "Newton's cradle: balls in a row, struck by the first",
-         "balls (5, 3 to 15), gap (0), speed (1), restitution (1)"},
-    Info{"pi", "Galperin's billiard: as many collisions as the first digits of pi",
-         "digits (3, 1 to 7), speed (1)"},
-    Info{"break", "the break of fifteen balls on a 7 ft pool table, without friction",
-         "gap (1e-4), speed (9), restitution (1)"},
-    Info{"gas", "disks in a square box with Maxwell's velocities",
-         "balls (100), packing (0.3, up to 0.6), speed (1), restitution (1), seed (1)"},
+// Made in one of two ways.
+using Make = Scene (*)(const Parameters&);
+using MakeShot = Shot (*)(const Parameters&);
+struct Preset {
+    Info info;
+    Make make;
+    MakeShot make_shot;
 };
 
-using Maker = Scene (*)(const Parameters&);
-constexpr std::array<Maker, kInfos.size()> kMakers{make_box, make_carom, make_cradle,
-                                                   make_pi,  make_break, make_gas};
+constexpr std::array kPresets{
+    Preset{{"break", "the break of eight-ball on a 9 ft pool table",
+            "speed (8, of the cue), gap (1e-4), seed (31)"},
+           nullptr,
+           break_shot},
+    Preset{{"nine-ball", "the break of nine-ball on a 9 ft pool table",
+            "speed (8, of the cue), gap (1e-4), seed (10)"},
+           nullptr,
+           nine_ball_shot},
+    Preset{{"snooker-break", "a safe break on a 12 ft snooker table",
+            "speed (3, of the cue), gap (1e-4), seed (1)"},
+           nullptr,
+           snooker_break_shot},
+    Preset{{"three-cushion", "the opening shot of three-cushion on a 10 ft carom table",
+            "speed (3.5, of the cue)"},
+           nullptr,
+           three_cushion_shot},
+    Preset{{"frictionless-break",
+            "the break of fifteen balls on a 7 ft pool table, without any friction",
+            "gap (1e-4), speed (9), restitution (1)"},
+           make_frictionless_break,
+           nullptr},
+    Preset{{"carom", "three balls on a 10 ft carom table, one moving, without any friction",
+            "speed (4), restitution (1)"},
+           make_carom,
+           nullptr},
+    Preset{{"box", "balls in an empty box of 1 m x 1 m",
+            "balls (1, up to 100), speed (1), restitution (1), seed (2)"},
+           make_box,
+           nullptr},
+    Preset{{"cradle", "Newton's cradle: balls in a row, struck by the first",
+            "balls (5, 3 to 15), gap (0), speed (1), restitution (1)"},
+           make_cradle,
+           nullptr},
+    Preset{{"pi", "Galperin's billiard: as many collisions as the first digits of pi",
+            "digits (3, 1 to 7), speed (1)"},
+           make_pi,
+           nullptr},
+    Preset{{"gas", "disks in a square box with Maxwell's velocities",
+            "balls (100), packing (0.3, up to 0.6), speed (1), restitution (1), seed (1)"},
+           make_gas,
+           nullptr},
+};
+
+constexpr auto kInfos = [] {
+    std::array<Info, kPresets.size()> infos;
+    std::ranges::transform(kPresets, infos.begin(), &Preset::info);
+    return infos;
+}();
 
 void refuse_unused(const Info& info, const Parameters& parameters) {
     const auto check = [&info](std::string_view name, bool is_given) {
@@ -47,6 +88,19 @@ void refuse_unused(const Info& info, const Parameters& parameters) {
     check("seed", parameters.seed.has_value());
 }
 
+// The preset of that name, which takes those parameters.
+const Preset& preset_for(std::string_view name, const Parameters& parameters) {
+    const auto found = std::ranges::find(kInfos, name, &Info::name);
+    if (found == kInfos.end()) {
+        std::array<std::string_view, kInfos.size()> names;
+        std::ranges::transform(kInfos, names.begin(), &Info::name);
+        throw SceneError("preset", "must be the name of a preset" + did_you_mean(name, names),
+                         std::string(name));
+    }
+    refuse_unused(*found, parameters);
+    return kPresets[static_cast<std::size_t>(found - kInfos.begin())];
+}
+
 }  // namespace
 
 std::string number_text(double value) {
@@ -60,15 +114,17 @@ std::span<const Info> list() {
 }
 
 Scene make(std::string_view name, const Parameters& parameters) {
-    const auto found = std::ranges::find(kInfos, name, &Info::name);
-    if (found == kInfos.end()) {
-        std::array<std::string_view, kInfos.size()> names;
-        std::ranges::transform(kInfos, names.begin(), &Info::name);
-        throw SceneError("preset", "must be the name of a preset" + did_you_mean(name, names),
-                         std::string(name));
-    }
-    refuse_unused(*found, parameters);
-    return kMakers[static_cast<std::size_t>(found - kInfos.begin())](parameters);
+    const Preset& preset = preset_for(name, parameters);
+    return preset.make != nullptr ? preset.make(parameters)
+                                  : scene_of(preset.make_shot(parameters));
+}
+
+std::optional<std::string> short_text(std::string_view name, const Parameters& parameters) {
+    const Preset& preset = preset_for(name, parameters);
+    if (preset.make_shot == nullptr) return std::nullopt;
+    const Shot shot = preset.make_shot(parameters);
+    static_cast<void>(scene_of(shot));  // throws if a parameter is out of range
+    return text_of(shot);
 }
 
 }  // namespace osculo::presets

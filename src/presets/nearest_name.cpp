@@ -51,4 +51,13 @@ std::string did_you_mean(std::string_view name, std::span<const std::string_view
     return ", did you mean " + std::string(nearest) + "?";
 }
 
+std::string one_of(std::span<const std::string_view> names) {
+    std::string text;
+    for (std::size_t i = 0; i < names.size(); ++i) {
+        if (i > 0) text += i + 1 == names.size() ? " or " : ", ";
+        text += '"' + std::string(names[i]) + '"';
+    }
+    return text;
+}
+
 }  // namespace osculo

@@ -14,4 +14,7 @@ namespace osculo {
 [[nodiscard]] std::string did_you_mean(std::string_view name,
                                        std::span<const std::string_view> names);
 
+/// `"a", "b" or "c"`.
+[[nodiscard]] std::string one_of(std::span<const std::string_view> names);
+
 }  // namespace osculo

@@ -8,6 +8,14 @@ double uniform(std::mt19937_64& random) {
     return static_cast<double>(random() >> 11) * 0x1p-53;
 }
 
+Point random_in_disk(std::mt19937_64& random) {
+    for (;;) {
+        const double x = 2 * uniform(random) - 1;
+        const double y = 2 * uniform(random) - 1;
+        if (x * x + y * y <= 1) return {x, y};
+    }
+}
+
 Point random_direction(std::mt19937_64& random) {
     for (;;) {
         const double x = 2 * uniform(random) - 1;

@@ -16,6 +16,9 @@ namespace osculo::presets {
 /// A unit vector of random direction.
 [[nodiscard]] Point random_direction(std::mt19937_64& random);
 
+/// Uniform in the unit disk.
+[[nodiscard]] Point random_in_disk(std::mt19937_64& random);
+
 /// Centres of `count` disks of that radius, apart from each other and from the edges of the unit
 /// square: a lattice, shaken as far as its cells allow. Empty if its cells are too small.
 [[nodiscard]] std::vector<Point> place_disks(std::uint32_t count, double radius,

@@ -36,17 +36,31 @@ TEST(Version, IsThatOfTheLibrary) {
 }
 
 TEST(Run, PrintsASummary) {
-    const Result result = osculo({"run", "preset:break"});
+    const std::string name = "preset:frictionless-break";
+    const Result result = osculo({"run", name});
     EXPECT_EQ(result.code, 0);
     EXPECT_EQ(result.err, "");
-    EXPECT_TRUE(result.out.starts_with("preset:break: time limit reached at 10 s, after "));
+    EXPECT_TRUE(result.out.starts_with(name + ": time limit reached at 10 s, after "));
     for (const char* part : {"\n  status    time_limit\n", "\n  events    ", " ball_ball, ",
                              "\n  captured  ", " pocket-", "\n  energy    ", "\n  engine    "}) {
         EXPECT_TRUE(contains(result.out, part)) << part << result.out;
     }
     EXPECT_FALSE(contains(result.out, "audit"));
-    EXPECT_TRUE(contains(osculo({"run", "preset:break", "--audit"}).out, "\n  audit     clean\n"));
-    EXPECT_EQ(osculo({"run", "preset:break", "--quiet"}).out, "");
+    EXPECT_TRUE(contains(osculo({"run", name, "--audit"}).out, "\n  audit     clean\n"));
+    EXPECT_EQ(osculo({"run", name, "--quiet"}).out, "");
+}
+
+TEST(Run, SaysWhatPlayersAskFor) {
+    const Result result = osculo({"run", "preset:break"});
+    EXPECT_TRUE(result.out.starts_with("preset:break: everything at rest at ")) << result.out;
+    for (const char* part :
+         {"\n  hits      1         ", "\n  cushions  cue meets 0 before its first hit and ",
+          " other balls driven to one\n", "\n  kisses    "}) {
+        EXPECT_TRUE(contains(result.out, part)) << part << result.out;
+    }
+    EXPECT_TRUE(contains(osculo({"run", "preset:carom"}).out, " s  after 4 cushions\n"));
+    EXPECT_FALSE(contains(osculo({"run", "preset:gas"}).out, "\n  hits"));
+    EXPECT_FALSE(contains(osculo({"run", "preset:break", "--record", "none"}).out, "\n  hits"));
 }
 
 TEST(Run, WritesWhatTheLibraryComputes) {
@@ -72,7 +86,7 @@ TEST(Run, ReadsStdinAndWritesStdout) {
 
 TEST(Run, TakesItsOptions) {
     const auto run_with = [](std::vector<std::string> options) {
-        options.insert(options.begin(), {"run", "preset:break", "-o", "-", "-q"});
+        options.insert(options.begin(), {"run", "preset:frictionless-break", "-o", "-", "-q"});
         return io::run_from_json(osculo(options).out);
     };
     EXPECT_EQ(run_with({"--time", "0.5"}).time, 0.5);
@@ -111,7 +125,7 @@ TEST(Render, DrawsScenesAndRuns) {
 TEST(Validate, SaysWhatIsInTheScene) {
     const Result result = osculo({"validate", "preset:break"});
     EXPECT_EQ(result.code, 0);
-    EXPECT_EQ(result.out, "preset:break: valid: 16 balls, 18 segments, 12 arcs, 6 rims\n");
+    EXPECT_EQ(result.out, "preset:break: valid: 16 balls, 18 segments, 12 arcs, 6 rims, closed\n");
 }
 
 TEST(Explain, NamesTheEngineAndWhatItLeavesOut) {
@@ -136,7 +150,8 @@ TEST(Presets, AreListedAndWritten) {
     for (const presets::Info& info : presets::list()) {
         EXPECT_TRUE(contains(list.out, std::string(info.name))) << info.name;
         const Result one = osculo({"presets", std::string(info.name)});
-        EXPECT_EQ(one.out, scene_to_json(presets::make(info.name)));
+        const auto text = presets::short_text(info.name);
+        EXPECT_EQ(one.out, text ? *text : scene_to_json(presets::make(info.name)));
     }
     const Result gas = osculo({"presets", "gas", "--balls", "12", "--packing", "0.5", "--speed",
                                "2", "--restitution", "0.9", "--seed", "3"});
@@ -146,8 +161,12 @@ TEST(Presets, AreListedAndWritten) {
             "gas", {.balls = 12, .packing = 0.5, .speed = 2.0, .restitution = 0.9, .seed = 3})));
     EXPECT_EQ(osculo({"presets", "pi", "--digits", "2"}).out,
               scene_to_json(presets::make("pi", {.digits = 2})));
-    EXPECT_EQ(osculo({"presets", "break", "--gap", "0"}).out,
-              scene_to_json(presets::make("break", {.gap = 0.0})));
+    EXPECT_EQ(osculo({"presets", "frictionless-break", "--gap", "0"}).out,
+              scene_to_json(presets::make("frictionless-break", {.gap = 0.0})));
+    // The short form of a shot runs like the shot.
+    const std::string text = osculo({"presets", "break", "--gap", "2e-4"}).out;
+    EXPECT_EQ(osculo({"expand", "-"}, text).out,
+              scene_to_json(presets::make("break", {.gap = 2e-4})));
 }
 
 TEST(Msgpack, IsChosenByTheEndingOfTheName) {

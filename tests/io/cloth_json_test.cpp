@@ -30,11 +30,43 @@ Scene shot() {
 TEST(ClothJson, ASceneComesBackAsItWas) {
     const Scene scene = shot();
     EXPECT_EQ(scene_from_json(scene_to_json(scene)), scene);
+    Scene through = shot();
+    through.cue->elevation = 0;
+    through.cue->allow_obstructed = true;
+    EXPECT_EQ(scene_from_json(scene_to_json(through)), through);
     Scene rolling = shot();
     rolling.motion = RollingMotion{0.02};
     rolling.impacts = {};
     rolling.cue.reset();
     EXPECT_EQ(scene_from_json(scene_to_json(rolling)), rolling);
+}
+
+TEST(ClothJson, ACueWithoutElevationIsAsLevelAsCanBe) {
+    const auto elevation = [](const std::string& cue) {
+        return scene_from_json(R"({"schema": "osculo/scene-1", "table": "pool-9ft",
+            "rack": "nine-ball", "cue": {"speed": 5, "azimuth": 1.5707963267948966)" +
+                               cue + "}}")
+            .cue->elevation;
+    };
+    EXPECT_EQ(elevation(""), 0.023);
+    EXPECT_EQ(elevation(R"(, "elevation": 0.3)"), 0.3);
+    EXPECT_EQ(elevation(R"(, "allow_obstructed": true)"), 0);
+    EXPECT_EQ(elevation(R"(, "allow_obstructed": false)"), 0.023);
+    try {
+        static_cast<void>(elevation(R"(, "elevation": 0.0)"));
+        FAIL();
+    } catch (const SceneError& error) {
+        EXPECT_STREQ(error.what(),
+                     "cue.elevation: must be at least 0.023 (1.4 degrees) for the stick to pass "
+                     "over segments[1] (\"bottom\") (or set allow_obstructed), but it is 0");
+    }
+    // Broken scenes say what is broken.
+    try {
+        static_cast<void>(elevation(R"(, "ball": "white")"));
+        FAIL();
+    } catch (const SceneError& error) {
+        EXPECT_STREQ(error.what(), "cue.ball: must be the id of a ball, but it is \"white\"");
+    }
 }
 
 TEST(ClothJson, ARunComesBackAsItWas) {

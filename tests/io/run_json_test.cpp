@@ -58,6 +58,23 @@ TEST(RunJson, IsWrittenAsDocumented) {
     "nothing"
   ]},
   "audit": {"clean": true, "energy_initial": 0, "energy_final": 0, "largest_energy_gain": 0, "largest_momentum_error": 0, "worst_gap": -1e-17, "worst_gap_time": 0, "worst_gap_ids": ["a", "b"], "largest_jump": 0, "unexplained": 0},
+  "outcome": {
+    "kisses": 0,
+    "driven_to_cushion": 1,
+    "cue_ball": "a",
+    "cushions_before_hit": 0,
+    "cushions_after_hit": 0,
+    "hits": [
+      {"ball": "b", "time": 2, "cushions": 0}
+    ],
+    "falls": [
+      {"ball": "a", "rim": "hole", "time": 3}
+    ],
+    "balls": [
+      {"id": "a", "balls": 1, "cushions": 0, "position": [2, 0]},
+      {"id": "b", "balls": 1, "cushions": 1, "position": [3, 0]}
+    ]
+  },
   "balls": [
     {"id": "a", "state": "captured", "position": [2, 0], "velocity": [1, 0], "rim": "hole"},
     {"id": "b", "state": "rest", "position": [3, 0], "velocity": [0, 0], "spin": [0, 0, 7]}
@@ -78,14 +95,25 @@ TEST(RunJson, RoundTripIsTheIdentity) {
     EXPECT_TRUE(equal(run_from_json(run_to_json(small_run())), small_run()));
     for (const presets::Info& info : presets::list()) {
         for (const Record record : {Record::none, Record::events, Record::pieces}) {
-            const osculo::Run run =
-                simulate(presets::make(info.name), {.record = record, .audit = info.name != "gas"});
+            const Scene scene = presets::make(info.name);
+            const bool audit =
+                info.name != "gas" && std::holds_alternative<UniformMotion>(scene.motion);
+            const osculo::Run run = simulate(scene, {.record = record, .audit = audit});
             const std::string text = run_to_json(run);
             const osculo::Run again = run_from_json(text);
             EXPECT_TRUE(equal(again, run)) << info.name;
             EXPECT_EQ(run_to_json(again), text) << info.name;
         }
     }
+}
+
+TEST(RunJson, AnOutcomeNeedsEvents) {
+    osculo::Run run = simulate(presets::make("break"), {.record = Record::none});
+    EXPECT_EQ(run_to_json(run).find("\"outcome\""), std::string::npos);
+    run = simulate(presets::make("break"), {.record = Record::events});
+    const std::string text = run_to_json(run);
+    EXPECT_NE(text.find("\"outcome\""), std::string::npos);
+    EXPECT_TRUE(equal(run_from_json(text), run));
 }
 
 TEST(RunJson, SameRunSameBytes) {
@@ -129,7 +157,7 @@ TEST(RunJson, ErrorsHavePaths) {
               "events[0].ids[1]: must be an id of the scene, but it is \"c\"");
     EXPECT_EQ(error_after_replacing("\"wall.to\"]", "\"wall.too\"]"),
               "events[1].ids[1]: must be an id of the scene, but it is \"wall.to\"");
-    EXPECT_EQ(error_after_replacing("\"ball\": \"a\"", "\"ball\": \"wall\""),
+    EXPECT_EQ(error_after_replacing("\"ball\": \"a\", \"from\"", "\"ball\": \"wall\", \"from\""),
               "pieces[0].ball: must be an id of the scene, but it is \"wall\"");
     EXPECT_EQ(error_after_replacing("\"kind\": \"capture\"", "\"kind\": \"ball_ball\""),
               "events[2].ids[1]: must be an id of the scene, but it is \"hole\"");
@@ -139,6 +167,14 @@ TEST(RunJson, ErrorsHavePaths) {
               "balls[0].mass: must be > 0, but it is -1");
     EXPECT_EQ(error_after_replacing("\"mass\": 1,", "\"mass\": \"x\","),
               "scene.balls[0].mass: must be a number, but it is \"x\"");
+    EXPECT_EQ(error_after_replacing("\"kisses\": 0", "\"kises\": 0"),
+              "outcome.kises: unknown key, did you mean kisses?");
+    EXPECT_EQ(error_after_replacing("\"kisses\": 0", "\"kisses\": 1"),
+              "outcome.kisses: must be what the events give, but it is 1");
+    EXPECT_EQ(error_after_replacing("\"ball\": \"b\", \"time\": 2", "\"ball\": \"a\", \"time\": 2"),
+              "outcome.hits[0].ball: must be what the events give, but it is \"a\"");
+    EXPECT_EQ(error_after_replacing("\"hits\": [", "\"rest_time\": 3, \"hits\": ["),
+              "outcome.rest_time: must not be there: the events give none, but it is 3");
     EXPECT_EQ(error_after_replacing("\"unexplained\": 0", "\"unexplaned\": 0"),
               "audit.unexplaned: unknown key, did you mean unexplained?");
 }

@@ -145,11 +145,17 @@ TEST(SceneErrors, UnknownLawsAndNames) {
          "but it is \"paper\""},
         {with(R"("segments": [{"id": "s", "from": [0, 0], "to": [1, 0], "side": "right"}])"),
          "segments[0].side: must be left or both, but it is \"right\""},
-        {with(R"("table": "pool-9ft")"),
-         "table: must be \"pool-7ft\" or \"carom-10ft\", did you mean pool-7ft?, but it is "
-         "\"pool-9ft\""},
+        {with(R"("table": "pool-6ft")"),
+         "table: must be \"pool-7ft\", \"pool-8ft\", \"pool-9ft\", \"snooker-12ft\" or "
+         "\"carom-10ft\", did you mean pool-7ft?, but it is \"pool-6ft\""},
         {with(R"("rack": "eight-ball")"),
          "rack: needs a pool table to stand on, but it is \"eight-ball\" without one"},
+        {with(R"("table": "pool-7ft", "rack": "snooker")"),
+         "rack: needs a snooker table to stand on, but it is \"snooker\" on pool-7ft"},
+        {with(R"("table": "pool-7ft", "rack": {"name": "eight-ball", "sed": 3})"),
+         "rack.sed: unknown key, did you mean seed?"},
+        {with(R"("table": "pool-7ft", "rack": {"name": "eight-ball", "seed": -1})"),
+         "rack.seed: must be a whole number from 0 to 18446744073709551615, but it is -1"},
         {with(R"("table": "pool-7ft", "rack": {"name": "eight-ball", "gap": -1})"),
          "rack.gap: must be from 0 to 0.028575, but it is -1"},
     });

@@ -24,6 +24,53 @@ TEST(SceneJson, RoundTripOfPresets) {
     }
 }
 
+TEST(SceneJson, ShortPresetsAreTheWholeScene) {
+    int count = 0;
+    for (const presets::Info& info : presets::list()) {
+        const auto text = presets::short_text(info.name);
+        if (!text) continue;
+        EXPECT_EQ(scene_from_json(*text), presets::make(info.name)) << *text;
+        EXPECT_LT(text->size(), 250U);
+        ++count;
+    }
+    EXPECT_EQ(count, 4);
+    const presets::Parameters parameters{.gap = 3e-4, .speed = 6.5, .seed = 12};
+    EXPECT_EQ(scene_from_json(*presets::short_text("nine-ball", parameters)),
+              presets::make("nine-ball", parameters));
+}
+
+TEST(SceneJson, ATableBringsItsLaws) {
+    const auto read = [](const std::string& members) {
+        return scene_from_json(R"({"schema": "osculo/scene-1", "table": "pool-9ft")" + members +
+                               "}");
+    };
+    Scene laws;
+    presets::set_table_laws(laws, "pool-9ft");
+    EXPECT_EQ(read("").motion, laws.motion);
+    EXPECT_EQ(read("").impacts, laws.impacts);
+
+    // What is given stands; the rest is the table's.
+    const Scene other_cloth = read(R"(, "motion": {"law": "cloth", "rolling_friction": 0.02})");
+    EXPECT_EQ(std::get<ClothMotion>(other_cloth.motion).rolling_friction, 0.02);
+    EXPECT_EQ(other_cloth.impacts, laws.impacts);
+    const Scene other_balls =
+        read(R"(, "impacts": {"ball_ball": {"law": "restitution", "restitution": 0.9}})");
+    EXPECT_EQ(other_balls.impacts.ball_ball.law, BallBallLaw::restitution);
+    EXPECT_EQ(other_balls.impacts.ball_cushion, laws.impacts.ball_cushion);
+
+    // The friction of a table's impacts needs its cloth.
+    EXPECT_EQ(read(R"(, "motion": {"law": "uniform"})").impacts, Impacts{});
+}
+
+TEST(SceneJson, TheCueStrikesTheCueBall) {
+    const Scene scene = scene_from_json(
+        R"({"schema": "osculo/scene-1", "table": "pool-9ft", "rack": "eight-ball",
+            "cue": {"speed": 8, "azimuth": 1.5707963267948966}})");
+    EXPECT_EQ(scene.cue->ball, "cue");
+    EXPECT_EQ(scene.cue->azimuth, 1.5707963267948966);
+    EXPECT_EQ(scene.balls.back().id, "cue");
+}
+
 TEST(SceneJson, IsWrittenAsDocumented) {
     Scene scene;
     scene.balls.push_back({"cue", 0.17, 0.5, {0.1, -0.0}, {1e-7, 1e22}, {0, 0, -2}});
@@ -78,24 +125,35 @@ TEST(SceneJson, WholeNumbersMayHaveExponents) {
     EXPECT_EQ(scene.limits.events, 1'000'000U);
 }
 
-TEST(SceneJson, ExpandsTableAndRackAndAppendsBalls) {
+TEST(SceneJson, ExpandsTableAndRackAfterTheBallsThatAreListed) {
     const Scene scene = scene_from_json(R"({"schema": "osculo/scene-1",
         "table": "pool-7ft", "rack": {"name": "eight-ball", "gap": 0.001},
         "balls": [{"id": "cue", "mass": 0.17, "radius": 0.028, "position": [0.5, 0.5]}]})");
     Scene expected;
     presets::add_table(expected, "pool-7ft");
-    presets::add_rack(expected, "eight-ball", 0.001);
+    presets::add_rack(expected, "eight-ball", {.gap = 0.001});
     ASSERT_EQ(scene.balls.size(), 16U);
-    EXPECT_EQ(scene.balls[15].id, "cue");
-    EXPECT_EQ(scene.balls[3], expected.balls[3]);
+    EXPECT_EQ(scene.balls[0].id, "cue");
+    EXPECT_EQ(scene.balls[0].position, (Point{0.5, 0.5}));
+    EXPECT_EQ(scene.balls[4], expected.balls[3]);
     EXPECT_EQ(scene.segments, expected.segments);
     EXPECT_TRUE(scene.closed);
 
     const Scene tight = scene_from_json(
-        R"({"schema": "osculo/scene-1", "table": "pool-7ft", "rack": "eight-ball",
-            "closed": false})");
+        R"({"schema": "osculo/scene-1", "table": "pool-7ft",
+            "rack": {"name": "eight-ball", "gap": 0}, "closed": false})");
     EXPECT_EQ(tight.balls[1].position.x, expected.balls[0].position.x - 0.028575);
+    EXPECT_EQ(tight.balls[15].id, "cue");
     EXPECT_FALSE(tight.closed);
+}
+
+TEST(SceneJson, RacksHaveSeeds) {
+    const Scene scene = scene_from_json(R"({"schema": "osculo/scene-1", "table": "pool-9ft",
+        "rack": {"name": "nine-ball", "gap": 2e-4, "seed": 18446744073709551615}})");
+    Scene expected;
+    presets::add_table(expected, "pool-9ft");
+    presets::add_rack(expected, "nine-ball", {.gap = 2e-4, .seed = 18446744073709551615U});
+    EXPECT_EQ(scene.balls, expected.balls);
 }
 
 }  // namespace

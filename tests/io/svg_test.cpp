@@ -132,6 +132,17 @@ TEST(Svg, DrawsPathsInTheColoursOfTheBalls) {
 }
 
 // A ball that flies off leaves the rest of the picture as it is.
+TEST(Svg, EveryGameHasItsClothAndColours) {
+    for (const char* name : {"break", "nine-ball", "snooker-break", "three-cushion"}) {
+        const std::string svg = to_svg(presets::make(name));
+        EXPECT_NE(svg.find("#1b6f4d"), std::string::npos) << name;
+    }
+    const std::string svg = to_svg(presets::make("snooker-break"));
+    for (const char* color : {"#d6302b", "#f2c230", "#1f9d55", "#7a4a21", "#2456b8", "#f29bb2"}) {
+        EXPECT_NE(svg.find(color), std::string::npos) << color;
+    }
+}
+
 TEST(Svg, StaysWithTheScene) {
     Scene scene;
     scene.balls.push_back({"a", 1, 1, {0, 0}, {1, 0}, {}});

@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include "osculo/outcome.hpp"
 #include "osculo/presets.hpp"
 #include "osculo/simulate.hpp"
 
@@ -42,7 +43,7 @@ std::uint64_t fingerprint(const Scene& scene) {
 }
 
 TEST(Presets, AreValidAndAlwaysTheSame) {
-    ASSERT_EQ(list().size(), 6U);
+    ASSERT_EQ(list().size(), 10U);
     for (const Info& info : list()) {
         const Scene scene = make(info.name);
         EXPECT_NO_THROW(validate(scene)) << info.name;
@@ -57,11 +58,14 @@ TEST(Presets, AreTheSameBitsEverywhere) {
     EXPECT_EQ(fingerprint(make("carom")), 14855584810453152182U);
     EXPECT_EQ(fingerprint(make("cradle")), 4952348597869716101U);
     EXPECT_EQ(fingerprint(make("pi")), 4527358811413963925U);
-    EXPECT_EQ(fingerprint(make("break")), 11157173303410484448U);
+    EXPECT_EQ(fingerprint(make("frictionless-break")), 11157173303410484448U);
     EXPECT_EQ(fingerprint(make("gas", {.balls = 1000, .seed = 42})), 13574959973670947877U);
 }
 
 TEST(Presets, RefuseWhatTheyDoNotKnow) {
+    EXPECT_EQ(error_of("break", {.restitution = 0.5}),
+              "restitution: is not a parameter of the preset break, which takes speed (8, of the "
+              "cue), gap (1e-4), seed (31)");
     EXPECT_EQ(error_of("braek"),
               "preset: must be the name of a preset, did you mean break?, but it is braek");
     EXPECT_EQ(error_of("cradle", {.digits = 3}),
@@ -103,7 +107,9 @@ TEST(Presets, EveryListedParameterIsTaken) {
         const Scene scene = make(info.name, taken);
         EXPECT_NO_THROW(validate(scene)) << info.name;
         EXPECT_NE(scene, make(info.name)) << info.name;
-        EXPECT_EQ(scene.impacts.ball_ball.restitution, taken.restitution.value_or(1)) << info.name;
+        if (taken.restitution) {
+            EXPECT_EQ(scene.impacts.ball_ball.restitution, 0.5) << info.name;
+        }
         if (taken.balls) {
             EXPECT_EQ(scene.balls.size(), 3U) << info.name;
         }
@@ -190,8 +196,8 @@ TEST(Cradle, PassesTheSpeedOnToTheLastBall) {
     }
 }
 
-TEST(Break, BeginsWithTheCueBallAndKeepsItsEnergy) {
-    const osculo::Run run = simulate(make("break"));
+TEST(FrictionlessBreak, BeginsWithTheCueBallAndKeepsItsEnergy) {
+    const osculo::Run run = simulate(make("frictionless-break"));
     ASSERT_FALSE(run.events.empty());
     std::array<std::string, 2> first = run.ids(run.events[0]);
     std::ranges::sort(first);
@@ -204,6 +210,63 @@ TEST(Break, BeginsWithTheCueBallAndKeepsItsEnergy) {
         final_energy += run.scene.balls[i].mass / 2 * (v.x * v.x + v.y * v.y);
     }
     EXPECT_NEAR(final_energy / energy(run.scene.balls), 1, 1e-13);
+}
+
+TEST(Shots, ComeToRest) {
+    for (const char* name : {"break", "nine-ball", "snooker-break", "three-cushion"}) {
+        const osculo::Run run = simulate(make(name));
+        EXPECT_EQ(run.status, Status::at_rest) << name;
+        EXPECT_LT(run.time, 20) << name;
+        const auto moved = std::ranges::count_if(run.balls, [&](const FinalBall& ball) {
+            const auto i = static_cast<std::size_t>(&ball - run.balls.data());
+            return ball.state.position != run.scene.balls[i].position;
+        });
+        EXPECT_GE(moved, 2) << name;
+        EXPECT_EQ(short_text(name).has_value(), true);
+    }
+    EXPECT_EQ(short_text("gas"), std::nullopt);
+    EXPECT_THROW(static_cast<void>(short_text("break", {.gap = 1.0})), SceneError);
+}
+
+TEST(Shots, AreWhatTheySay) {
+    const auto play = [](const char* name) { return outcome_of(simulate(make(name))).value(); };
+    const auto fell = [](const Outcome& outcome, std::uint32_t ball) {
+        return std::ranges::count(outcome.falls, ball, &Outcome::Fall::ball) == 1;
+    };
+    for (const char* name : {"break", "nine-ball"}) {
+        const Outcome outcome = play(name);
+        EXPECT_EQ(outcome.hits[0].ball, 0U) << name;  // the 1
+        EXPECT_FALSE(fell(outcome, outcome.cue_ball.value())) << name;
+        EXPECT_EQ(outcome.falls.size(), 2U) << name;
+        EXPECT_GE(outcome.driven_to_cushion, 4U) << name;
+    }
+    const Outcome safe = play("snooker-break");
+    EXPECT_EQ(make("snooker-break").balls[safe.hits.at(0).ball].id, "red-15");
+    EXPECT_LT(safe.balls[safe.cue_ball.value()].position.y, 0.737);  // back in baulk
+    EXPECT_TRUE(safe.falls.empty());
+    const Outcome point = play("three-cushion");
+    ASSERT_EQ(point.hits.size(), 2U);
+    EXPECT_EQ(make("three-cushion").balls[point.hits[0].ball].id, "red");
+    EXPECT_EQ(point.hits[0].cushions, 0U);
+    EXPECT_EQ(point.hits[1].cushions, 3U);
+}
+
+TEST(TableLaws, AreThoseOfTheGame) {
+    Scene scene;
+    set_table_laws(scene, "pool-9ft");
+    const auto cloth = std::get<ClothMotion>(scene.motion);
+    EXPECT_EQ(cloth.sliding_friction, 0.2);
+    EXPECT_DOUBLE_EQ(cloth.spinning_friction, 0.0127);
+    EXPECT_EQ(scene.impacts.ball_ball.law, BallBallLaw::frictional);
+    EXPECT_DOUBLE_EQ(scene.impacts.ball_cushion.height, 0.036576);
+    EXPECT_EQ(scene.impacts.ball_cushion.friction, 0.2);
+    set_table_laws(scene, "snooker-12ft");
+    EXPECT_EQ(std::get<ClothMotion>(scene.motion).sliding_friction, 0.5);
+    EXPECT_EQ(scene.impacts.ball_cushion.friction, 0.5);
+    set_table_laws(scene, "carom-10ft");
+    EXPECT_EQ(scene.impacts.ball_cushion.height, 0.037);
+    EXPECT_EQ(scene.impacts.ball_cushion.friction, 0.15);
+    EXPECT_THROW(set_table_laws(scene, "pool"), SceneError);
 }
 
 TEST(Carom, WhiteMeetsRedFourCushionsAndYellow) {

@@ -139,8 +139,8 @@ TEST(Tables, UnknownNamesAreRefused) {
         FAIL();
     } catch (const SceneError& error) {
         EXPECT_STREQ(error.what(),
-                     "table: must be \"pool-7ft\" or \"carom-10ft\", did you mean pool-7ft?, "
-                     "but it is \"pool-7tf\"");
+                     "table: must be \"pool-7ft\", \"pool-8ft\", \"pool-9ft\", \"snooker-12ft\" or "
+                     "\"carom-10ft\", did you mean pool-7ft?, but it is \"pool-7tf\"");
     }
 }
 

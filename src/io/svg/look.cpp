@@ -36,10 +36,11 @@ struct NamedColor {
     BallColor color;
 };
 constexpr std::array kNamed{
-    NamedColor{"cue", {"#f7f4ea", false, true}},
-    NamedColor{"white", {"#f7f4ea", false, true}},
-    NamedColor{"yellow", {"#f2c230", false, true}},
-    NamedColor{"red", {"#d6302b", false, false}},
+    NamedColor{"cue", {"#f7f4ea", false, true}},    NamedColor{"white", {"#f7f4ea", false, true}},
+    NamedColor{"yellow", {"#f2c230", false, true}}, NamedColor{"red", {"#d6302b", false, false}},
+    NamedColor{"green", {"#1f9d55", false, false}}, NamedColor{"brown", {"#7a4a21", false, false}},
+    NamedColor{"blue", {"#2456b8", false, false}},  NamedColor{"pink", {"#f29bb2", false, true}},
+    NamedColor{"black", {"#1c1c1c", false, false}},
 };
 
 // The eight colours of Okabe and Ito (2008) without black, and with a darker yellow.
@@ -49,6 +50,7 @@ constexpr std::array<std::string_view, 7> kPalette{"#0072b2", "#d55e00", "#009e7
 std::optional<BallColor> billiard_color(std::string_view id) {
     const auto named = std::ranges::find(kNamed, id, &NamedColor::id);
     if (named != kNamed.end()) return named->color;
+    if (id.starts_with("red-")) return billiard_color("red");
     for (std::size_t number = 1; number <= 15; ++number) {
         if (id != std::to_string(number)) continue;
         const bool striped = number > 8;

@@ -10,7 +10,7 @@ namespace osculo::io::svg {
 
 /// Colours of a picture.
 struct Look {
-    bool is_billiards = false;  ///< cloth, wood and the colours of pool and carom balls
+    bool is_billiards = false;  ///< cloth, wood and the colours of their balls
     std::string_view frame;
     std::string_view cushion;
     std::string_view nose;
@@ -21,7 +21,7 @@ struct Look {
     std::string_view contact_halo;  ///< around the numbers
 };
 
-/// Billiards if every ball has the id of a pool or carom ball, else plain and light.
+/// Billiards if every ball has the id of a pool, snooker or carom ball, else plain and light.
 [[nodiscard]] Look look_of(const Scene& scene);
 
 struct BallColor {

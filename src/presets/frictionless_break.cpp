@@ -4,7 +4,7 @@
 
 namespace osculo::presets {
 
-Scene make_break(const Parameters& parameters) {
+Scene make_frictionless_break(const Parameters& parameters) {
     Scene scene;
     add_table(scene, "pool-7ft");
     scene.impacts = impacts_of(parameters);
@@ -21,7 +21,7 @@ Scene make_break(const Parameters& parameters) {
     cue.velocity = {0, speed};
     scene.balls.push_back(cue);
 
-    add_rack(scene, "eight-ball", parameters.gap.value_or(1e-4));
+    add_rack(scene, "eight-ball", {.gap = parameters.gap.value_or(1e-4)});
     return scene;
 }
 
