@@ -29,15 +29,13 @@ using presets::uniform;
 
 using Type = engine::ClothScene<double, impact::CushionHan2005, engine::NoRecorder>;
 
-constexpr presets::Bed kBed = presets::kPool7ft;
+constexpr presets::Bed kBed = presets::kPool9ft;
 constexpr double kRadius = presets::kPoolBallRadius;
 
 Scene bare_table() {
     Scene scene;
-    presets::add_table(scene, "pool-7ft");
-    scene.motion = ClothMotion{};
-    scene.impacts.ball_ball = {BallBallLaw::frictional, 0.95, {0.009951, 0.108, 1.088}};
-    scene.impacts.ball_cushion = {CushionLaw::han_2005, 0.85, 0.2, 0.64 * 2 * kRadius};
+    presets::add_table(scene, "pool-9ft");
+    presets::set_table_laws(scene, "pool-9ft");
     return scene;
 }
 
@@ -58,7 +56,7 @@ Scene break_shot(double speed, std::mt19937_64& random) {
         scene, "cue",
         {kBed.width / 2 + 0.004 * (uniform(random) - 0.5), kBed.length / 4 - 0.1 * uniform(random)},
         {0, speed});
-    presets::add_rack(scene, "eight-ball", 1e-4);
+    presets::add_rack(scene, "eight-ball");
     return scene;
 }
 

@@ -23,8 +23,9 @@ public:
     /// A rack, broken from anywhere behind the head string.
     Scene broken_rack() {
         Scene scene = table();
-        presets::add_rack(scene, "eight-ball", random_() % 2 == 0 ? 0 : number(0, 1e-3));
+        const double gap = random_() % 2 == 0 ? 0 : number(0, 1e-3);
         place("cue", scene, number(0.1, 0.9), number(0.1, 0.5));
+        presets::add_rack(scene, "eight-ball", {.gap = gap});
         return aimed(scene, number(1.5, 1.65));
     }
 

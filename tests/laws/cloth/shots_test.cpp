@@ -20,6 +20,9 @@ struct Bed {
 
 constexpr Bed kBeds[] = {
     {"pool-7ft", 0.9906, 1.9812, 0.170097, 0.028575},
+    {"pool-8ft", 1.1684, 2.3368, 0.170097, 0.028575},
+    {"pool-9ft", 1.27, 2.54, 0.170097, 0.028575},
+    {"snooker-12ft", 1.778, 3.569, 0.14, 0.02619375},
     {"carom-10ft", 1.42, 2.84, 0.21, 0.03075},
 };
 
@@ -29,9 +32,10 @@ int shots() {
 }
 
 Scene random_shot(const Bed& bed, Random& random) {
-    Scene scene = cloth_scene();
+    Scene scene;
     presets::add_table(scene, bed.table);
-    scene.impacts.ball_cushion.height = 1.28 * bed.radius;
+    presets::set_table_laws(scene, bed.table);
+    scene.limits.time = 600;
     const int balls = random.between(1, 16);
     for (int k = 0; k < balls;) {
         Ball ball = pool_ball(
@@ -71,6 +75,7 @@ Scene random_shot(const Bed& bed, Random& random) {
     const math::Vec<double> n = random.direction<double>();
     const double offset = random.coin() ? 0 : random.uniform<double>(0, 0.5);
     cue.offset = {offset * n.x(), offset * n.y()};
+    cue.allow_obstructed = true;
     scene.cue = cue;
     return scene;
 }
