@@ -38,13 +38,13 @@ void Engine<Type>::resolve_balls(BodyType& one, BodyType& other, const Vec& norm
 /// How long what these balls do now can press them against each other or a cushion [s].
 template <class Type>
 typename Engine<Type>::S Engine<Type>::pressing_time(std::initializer_list<BodyType*> bodies) {
-    S duration = scene_.contact_time;
-    bool soon = false;
+    S duration = math::never<S>();
+    S since = math::never<S>();
     for (BodyType* body : bodies) {
         duration = std::min<S>(duration, impact::acceleration_time(body->state));
-        soon = body->last_impact.note(now_, scene_.contact_time) || soon;
+        since = std::min<S>(since, body->last_impact.note(now_));
     }
-    return soon ? scene_.contact_time : duration;
+    return impact::pressing_time<S>(scene_.contact_time, duration, since);
 }
 
 template <class Type>

@@ -19,9 +19,9 @@
 /// m a^2 tau^2 / 8 of energy (m the reduced mass), less than what the force does in one hop.
 ///
 /// A force that ends sooner, for the ball has stopped slipping by then, presses no longer than it
-/// lasts, and tau is that time: a ball that just reaches another one does not push it away. But for
-/// a ball that has had another impact within the contact time, tau is the contact time, so that
-/// ever shorter slides do not follow each other for ever.
+/// lasts, and tau is that time: a ball that just reaches another one does not push it away. So that
+/// ever shorter slides do not follow each other for ever, tau is also at least twice the time since
+/// the ball's last impact, if that was within the contact time: hops that follow each other double.
 namespace osculo::impact {
 
 /// How long a ball goes on accelerating as it does [s].
@@ -37,18 +37,25 @@ template <class State>
 template <math::Scalar S>
 class LastImpact {
 public:
-    /// Notes another one. True if the last one was within the contact time [s].
-    bool note(const math::Instant<S>& now, const S& contact_time) {
-        const bool soon = any_ && math::duration<S>(when_, now) <= contact_time;
+    /// Notes another one; the time since the last one, or never() [s].
+    [[nodiscard]] S note(const math::Instant<S>& now) {
+        const S since = any_ ? math::duration<S>(when_, now) : math::never<S>();
         when_ = now;
         any_ = true;
-        return soon;
+        return since;
     }
 
 private:
     math::Instant<S> when_{S(0)};
     bool any_ = false;
 };
+
+/// tau [s] for a force that lasts for [duration], after an impact [since] ago.
+template <math::Scalar S>
+[[nodiscard]] S pressing_time(const S& contact_time, const S& duration, const S& since) {
+    const S least = since <= contact_time ? S(S(2) * since) : S(0);
+    return std::min<S>(contact_time, std::max<S>(duration, least));
+}
 
 /// By how much a separation speed along [normal] (a unit vector) has to be raised, for a relative
 /// velocity and half relative acceleration of what lies there [m/s], and tau [s].

@@ -75,6 +75,7 @@ TEST(Strikes, SpeedsFromNothingToFifty) {
 
         presets::add_table(scene, "pool-7ft");
         scene.closed = true;
+        scene.cue->allow_obstructed = true;
         scene.balls[0].position = {0.4, 0.4};
         scene.balls.push_back(pool_ball("object", {0.7, 0.41}));
         const auto run = settled(scene);
