@@ -159,7 +159,7 @@ struct Cue {
     std::string ball = "cue";        ///< id of the ball
     double speed = 1;                ///< of the cue [m/s], > 0
     double azimuth = 0;              ///< direction of the shot, from x towards y [rad]
-    double elevation = 0;            ///< of the butt [rad], in [0, pi/2)
+    double elevation = 0;            ///< of the butt [rad], in [0, pi/2); see least_elevation()
     std::array<double, 2> offset{};  ///< of the tip: to the left and up [ball radii]
     double mass = 0.54;              ///< of the cue [kg], > 0
     double end_mass = 0.006;         ///< of the part of the cue that is pushed aside [kg], >= 0

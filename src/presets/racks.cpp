@@ -15,14 +15,15 @@ struct Rack {
     std::string_view name;
     Game game;
     double ball_radius;
+    bool has_neighbours;
     void (*add)(Scene&, const Bed&, const RackOptions&);
 };
 
 constexpr std::array kRacks{
-    Rack{"eight-ball", Game::pool, kPoolBallRadius, add_eight_ball},
-    Rack{"nine-ball", Game::pool, kPoolBallRadius, add_nine_ball},
-    Rack{"snooker", Game::snooker, kSnookerBallRadius, add_snooker},
-    Rack{"three-cushion", Game::carom, kCaromBallRadius, add_three_cushion},
+    Rack{"eight-ball", Game::pool, kPoolBallRadius, true, add_eight_ball},
+    Rack{"nine-ball", Game::pool, kPoolBallRadius, true, add_nine_ball},
+    Rack{"snooker", Game::snooker, kSnookerBallRadius, true, add_snooker},
+    Rack{"three-cushion", Game::carom, kCaromBallRadius, false, add_three_cushion},
 };
 
 const char* name_of(Game game) {
@@ -82,6 +83,9 @@ void add_rack(Scene& scene, std::string_view name, const RackOptions& options) {
         throw SceneError(
             "rack", std::string("needs a ") + name_of(rack->game) + " table to stand on",
             quoted + (table == nullptr ? " without one" : " on " + std::string(table->name)));
+    }
+    if (!rack->has_neighbours && options != RackOptions{}) {
+        throw SceneError("rack", "must have neighbours to take a gap or a seed", quoted);
     }
     // Beyond one radius the triangle of the 7 ft table would reach its foot cushion.
     if (!(options.gap >= 0 && options.gap <= rack->ball_radius)) {

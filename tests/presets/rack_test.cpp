@@ -190,6 +190,8 @@ TEST(Racks, NeedTheTableOfTheirGame) {
               "rack: needs a snooker table to stand on, but it is \"snooker\" on pool-9ft");
     EXPECT_EQ(error_of("snooker-12ft", "three-cushion"),
               "rack: needs a carom table to stand on, but it is \"three-cushion\" on snooker-12ft");
+    EXPECT_EQ(error_of("carom-10ft", "three-cushion", {.seed = 3}),
+              "rack: must have neighbours to take a gap or a seed, but it is \"three-cushion\"");
     EXPECT_EQ(error_of("pool-9ft", "nine-bal"),
               "rack: must be \"eight-ball\", \"nine-ball\", \"snooker\" or \"three-cushion\", did "
               "you mean nine-ball?, but it is \"nine-bal\"");
