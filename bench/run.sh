@@ -35,3 +35,5 @@ if command -v valgrind >/dev/null; then
 fi
 "$programs/bench_first_contact_accuracy" 1000000 1000000 \
     "$results/first_contact_accuracy.csv" | tee "$results/first_contact_accuracy.txt"
+"$programs/bench_parabolic_accuracy" 2000000 "$results/parabolic_accuracy.csv" |
+    tee "$results/parabolic_accuracy.txt"
