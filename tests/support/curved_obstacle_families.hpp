@@ -37,7 +37,7 @@ inline constexpr std::array<CurvedTraits, 8> kCurvedFamilies{{
     {.name = "random"},
     {.name = "touching", .touching = true},
     {.name = "grazing", .grazing = true},
-    {.name = "touching, sideways", .touching = true, .grazing = true},
+    {.name = "touching sideways", .touching = true, .grazing = true},
     {.name = "stops at contact", .stops = true},
     {.name = "straight", .straight = true},
     {.name = "at an end", .at_an_end = true},

@@ -11,7 +11,8 @@ namespace osculo::detect {
 /// path ends, from outside or from inside, or never().
 ///
 /// The circle of an arc with an opening can be entered and left twice on a parabola, each time
-/// through the opening or not; all four are looked at.
+/// through the opening or not; all four are looked at. Error <= 1 ulp for the rounded difference of
+/// position and centre.
 template <math::Scalar S>
 [[nodiscard]] S first_contact(const motion::ParabolicPath<S>& path, const S& radius,
                               const geometry::Arc<S>& arc, const math::ContactHistory<S>& history,

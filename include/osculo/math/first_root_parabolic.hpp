@@ -368,7 +368,8 @@ template <Scalar S, class Accept>
 /// [end] finite unless a = 0, where accept is not asked. Requires s > 0. With
 /// `history.just_resolved` the two are known to touch and to part at t = 0, whatever rounding makes
 /// of Q and D there. For double and long double no contact is missed or invented but touches of
-/// less than some 1e-30 of the place; errors: bench/README.md. No allocation.
+/// less than some 1e-30 of the place, and the error of t is below 1 ulp but where the circle is
+/// crossed without speed (bench/README.md). No allocation.
 template <Scalar S, class Accept = detail::AnyContact>
 [[nodiscard]] S first_entry(const ParabolicApproach<S>& p, const S& end,
                             const ContactHistory<S>& history = {}, const S& horizon = never<S>(),
