@@ -30,6 +30,8 @@ template <Scalar S>
 struct ParabolicApproach {
     Vec<S> c, b, a;
     S s;
+    mutable Wide<S> start_gap_value{};  ///< by start_gap(), as the next
+    mutable bool start_gap_known = false;
 
     [[nodiscard]] Vec<S> place(const S& t) const { return c + t * (b + t * a); }
     [[nodiscard]] Vec<S> velocity(const S& t) const { return b + (S(2) * t) * a; }
@@ -51,6 +53,12 @@ struct ParabolicApproach {
         sum = Wide<S>(sum + half_curvature()) * time;
         return sum + wide_dot<S>(b, c);
     }
+    /// Q(0) to all digits. Where the two touch that takes as long as all the rest: once is enough.
+    [[nodiscard]] const Wide<S>& start_gap() const {
+        if (!start_gap_known) start_gap_value = detail::gap_function<S>(c, s);
+        start_gap_known = true;
+        return start_gap_value;
+    }
     /// Whether the way until t is shorter than s.
     [[nodiscard]] bool starts_near(const S& t) const {
         return t * (norm1<S>(b) + t * norm1<S>(a)) <= s;
@@ -59,14 +67,14 @@ struct ParabolicApproach {
     /// is exact (a gap however small, soon closed, has all its digits); later from the place, the
     /// rounding of which hardly depends on how far away it started.
     [[nodiscard]] Wide<S> wide_gap(const S& t) const {
-        if (t == S(0)) return detail::gap_function<S>(c, s);
+        if (t == S(0)) return start_gap();
         if (starts_near(t)) {
             const Wide<S> time(t);
             Wide<S> sum = wide_dot<S>(a, a) * time;
             sum = Wide<S>(sum + wide_dot<S>(a, b) * Wide<S>(S(2))) * time;
             sum = Wide<S>(sum + half_curvature()) * time;
             sum = Wide<S>(sum + wide_dot<S>(b, c) * Wide<S>(S(2))) * time;
-            return sum + detail::gap_function<S>(c, s);
+            return sum + start_gap();
         }
         const auto coordinate = [&t](const S& x, const S& u, const S& w) {
             const Wide<S> speed = wide_product<S>(w, t) + u;
@@ -99,7 +107,7 @@ struct ParabolicApproach {
     /// Error of Q(t) in wide precision, generously, over epsilon^2. Small where t is.
     [[nodiscard]] S wide_gap_error(const S& t, const Vec<S>& d) const {
         if (!starts_near(t)) return S(kTangent) * gap_error(t, d) / epsilon<S>();
-        S start = abs<S>(narrow(detail::gap_function<S>(c, s)));
+        S start = abs<S>(narrow(start_gap()));
         if (start > S(kExactStage) * epsilon<S>() * s * s) start += S(2) * s * s;  // not exact
         const S bent = dot<S>(b, b) + S(2) * abs<S>(dot<S>(a, c));
         return S(kTangent * kRejectionSlack) *
