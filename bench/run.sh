@@ -3,7 +3,7 @@
 #
 #     bench/run.sh [BUILD_DIRECTORY]      default: build/bench; CXX and CXXFLAGS as for CMake
 #
-# Takes about ten minutes. The accuracy program fails if a target is missed.
+# Takes about twenty minutes. The accuracy programs fail if a target is missed.
 set -euo pipefail
 here="$(cd "$(dirname "$0")" && pwd)"
 build="${1:-$here/../build/bench}"
@@ -35,3 +35,5 @@ if command -v valgrind >/dev/null; then
 fi
 "$programs/bench_first_contact_accuracy" 1000000 1000000 \
     "$results/first_contact_accuracy.csv" | tee "$results/first_contact_accuracy.txt"
+"$programs/bench_parabolic_accuracy" 2050000 "$results/parabolic_accuracy.csv" |
+    tee "$results/parabolic_accuracy.txt"

@@ -110,8 +110,10 @@ struct BallBallImpact {
 };
 
 enum class CushionLaw {
-    restitution,  ///< frictionless
-    han_2005,     ///< restitution and friction at a nose above the ball's middle; needs cloth
+    restitution,    ///< frictionless
+    han_2005,       ///< restitution and friction at a nose above the ball's middle; needs cloth
+    mathavan_2010,  ///< a nose that presses the ball into the cloth, which rubs too; needs cloth
+    stronge,        ///< compliant along the cushion, so that spin can be reversed; needs cloth
 };
 
 /// The law as it is written in files: "restitution", "han_2005", ...
@@ -119,6 +121,8 @@ enum class CushionLaw {
     switch (law) {
         case CushionLaw::restitution: return "restitution";
         case CushionLaw::han_2005: return "han_2005";
+        case CushionLaw::mathavan_2010: return "mathavan_2010";
+        case CushionLaw::stronge: return "stronge";
     }
     return "restitution";
 }
@@ -129,6 +133,11 @@ struct CushionImpact {
     double restitution = 1;  ///< in [0, 1]
     double friction = 0;     ///< >= 0; not for `restitution`
     double height = 0;       ///< of the nose above the table [m], > 0; not for `restitution`
+    /// Of ball and cloth during the impact, >= 0; for `mathavan_2010`. Left out: the cloth's own
+    /// sliding friction.
+    std::optional<double> cloth_friction{};
+    /// Of the tangential to the normal oscillation, above 1 and below 2; for `stronge`.
+    double frequency_ratio = 1.8;
     friend bool operator==(const CushionImpact&, const CushionImpact&) = default;
 };
 

@@ -31,12 +31,13 @@ struct Options {
         false;  ///< check the run from its pieces; records them for that whatever `record` is
 };
 
-/// Runs the scene to rest or to its limits. Throws SceneError if the scene breaks a rule; after
-/// that nothing is thrown but std::bad_alloc. Same scene and options: same bits, whatever machine
-/// or thread.
+/// Runs the scene to rest or to its limits. Throws SceneError if the scene breaks a rule, or if no
+/// engine has its motion law in the precision asked for; after that nothing is thrown but
+/// std::bad_alloc. Same scene and options: same bits, whatever machine or thread.
 [[nodiscard]] Run simulate(const Scene& scene, const Options& options = {});
 
-/// The engine that simulate() would take for the scene, and what that engine leaves out.
+/// The engine that simulate() would take for the scene, and what that engine leaves out. Throws as
+/// simulate() does if there is none.
 [[nodiscard]] EngineInfo choose_engine(const Scene& scene, const Options& options = {});
 
 }  // namespace osculo

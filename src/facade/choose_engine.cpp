@@ -24,18 +24,27 @@ bool covers(const ReadyEngine& engine, const Scene& scene, const Options& option
 }  // namespace
 
 const ReadyEngine& narrowest_engine(const Scene& scene, const Options& options) {
-    const std::array groups{double_open_engines(),  double_walls_engines(),
-                            double_table_engines(), double_rolling_engines(),
-                            double_cloth_engines(), double_cloth_han_engines(),
-                            extended_engines(),     quad_engines(),
-                            digits50_engines(),     digits100_engines()};
+    const std::array groups{double_open_engines(),
+                            double_walls_engines(),
+                            double_table_engines(),
+                            double_rolling_engines(),
+                            double_cloth_engines(),
+                            double_cloth_han_engines(),
+                            double_cloth_mathavan_engines(),
+                            double_cloth_stronge_engines(),
+                            extended_engines(),
+                            quad_engines(),
+                            digits50_engines(),
+                            digits100_engines()};
     for (const auto& group : groups) {
         for (const ReadyEngine& engine : group) {
             if (covers(engine, scene, options)) return engine;
         }
     }
-    // Each precision has an engine with every obstacle, every recorder and the cell grid.
-    return double_table_engines().back();
+    // Each precision has an engine for free flight with every obstacle, every recorder and the cell
+    // grid; friction has engines in double only.
+    throw SceneError("motion.law", "must be uniform for a precision other than double",
+                     std::string(to_string(options.precision)));
 }
 
 }  // namespace facade

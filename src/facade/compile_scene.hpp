@@ -137,7 +137,8 @@ void compile_laws(const Scene& scene, engine::SceneData<Type>& data) {
         data.friction.ball_ball = {
             S(balls.restitution),
             {S(balls.friction[0]), S(balls.friction[1]), S(balls.friction[2])}};
-        data.friction.ball_cushion = compile_cushion<decltype(data.friction.ball_cushion)>(cushion);
+        data.friction.ball_cushion =
+            compile_cushion<decltype(data.friction.ball_cushion)>(cushion, cloth);
     }
     if constexpr (Type::Motion::kTransitions) data.contact_time = S(scene.impacts.contact_time);
 }

@@ -31,6 +31,8 @@ struct ReadyEngine {
 [[nodiscard]] std::span<const ReadyEngine> double_rolling_engines();
 [[nodiscard]] std::span<const ReadyEngine> double_cloth_engines();
 [[nodiscard]] std::span<const ReadyEngine> double_cloth_han_engines();
+[[nodiscard]] std::span<const ReadyEngine> double_cloth_mathavan_engines();
+[[nodiscard]] std::span<const ReadyEngine> double_cloth_stronge_engines();
 [[nodiscard]] std::span<const ReadyEngine> extended_engines();
 [[nodiscard]] std::span<const ReadyEngine> quad_engines();
 [[nodiscard]] std::span<const ReadyEngine> digits50_engines();

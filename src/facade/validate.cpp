@@ -146,6 +146,10 @@ void validate_friction(const Scene& scene) {
             "impacts.contact_time", "must be from 0 to 1 s", scene.impacts.contact_time);
     if (cushion.law == CushionLaw::restitution) return;
     require_friction(cushion.friction, "impacts.ball_cushion.friction");
+    require_friction(cushion.cloth_friction.value_or(0), "impacts.ball_cushion.cloth_friction");
+    require(cushion.frequency_ratio > 1 && cushion.frequency_ratio < 2,
+            "impacts.ball_cushion.frequency_ratio", "must be above 1 and below 2",
+            cushion.frequency_ratio);
     for (const Ball& ball : scene.balls) {
         require(cushion.height > 0 && cushion.height < 2 * ball.radius,
                 "impacts.ball_cushion.height", "must be above 0 and below every ball's top",

@@ -41,21 +41,27 @@ BallBallImpact read_ball_ball(const Value& value) {
 }
 
 CushionImpact read_ball_cushion(const Value& value) {
-    static constexpr Names kLaws{"restitution", "han_2005"};
-    static constexpr Names kPlanned{"mathavan_2010", "stronge"};
-    static constexpr CushionLaw kValues[]{CushionLaw::restitution, CushionLaw::han_2005};
+    static constexpr Names kLaws{"restitution", "han_2005", "mathavan_2010", "stronge"};
+    static constexpr CushionLaw kValues[]{CushionLaw::restitution, CushionLaw::han_2005,
+                                          CushionLaw::mathavan_2010, CushionLaw::stronge};
     static constexpr Names kRestitution{"law", "restitution"};
-    static constexpr Names kFriction{"law", "restitution", "friction", "height"};
+    static constexpr Names kHan{"law", "restitution", "friction", "height"};
+    static constexpr Names kMathavan{"law", "restitution", "friction", "height", "cloth_friction"};
+    static constexpr Names kStronge{"law", "restitution", "friction", "height", "frequency_ratio"};
+    static constexpr std::span<const std::string_view> kKeys[]{kRestitution, kHan, kMathavan,
+                                                               kStronge};
+    const std::size_t law = law_of(value, kLaws, {});
+    const Fields fields(value, kKeys[law]);
     CushionImpact result;
-    result.law = kValues[law_of(value, kLaws, kPlanned)];
-    if (result.law == CushionLaw::restitution) {
-        take(Fields(value, kRestitution), "restitution", result.restitution);
-        return result;
-    }
-    const Fields fields(value, kFriction);
+    result.law = kValues[law];
     take(fields, "restitution", result.restitution);
+    if (result.law == CushionLaw::restitution) return result;
     result.friction = fields.require("friction").number();
     result.height = fields.require("height").number();
+    if (result.law == CushionLaw::mathavan_2010) {
+        if (const auto own = fields.find("cloth_friction")) result.cloth_friction = own->number();
+    }
+    if (result.law == CushionLaw::stronge) take(fields, "frequency_ratio", result.frequency_ratio);
     return result;
 }
 

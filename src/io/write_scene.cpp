@@ -79,6 +79,12 @@ void write_ball_cushion(JsonText& json, const CushionImpact& impact) {
         members.number("friction", impact.friction);
         members.number("height", impact.height);
     }
+    if (impact.law == CushionLaw::mathavan_2010 && impact.cloth_friction) {
+        members.number("cloth_friction", *impact.cloth_friction);
+    }
+    if (impact.law == CushionLaw::stronge) {
+        members.number("frequency_ratio", impact.frequency_ratio);
+    }
     members.close();
 }
 

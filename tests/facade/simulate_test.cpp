@@ -130,6 +130,15 @@ TEST(Simulate, OrderOfTheSceneDoesNotMatter) {
     }
 }
 
+TEST(Simulate, RefusesAPrecisionInWhichAMotionLawHasNoEngine) {
+    Scene scene = random_scene(1);
+    scene.motion = ClothMotion{};
+    EXPECT_NO_THROW(static_cast<void>(choose_engine(scene)));
+    const Options options{.precision = Precision::quad};
+    EXPECT_THROW(static_cast<void>(choose_engine(scene, options)), SceneError);
+    EXPECT_THROW(static_cast<void>(simulate(scene, options)), SceneError);
+}
+
 // Each precision agrees with 100 digits to what its own digits allow on a short run.
 TEST(Simulate, PrecisionsConverge) {
     Scene scene = table_scene(7);

@@ -104,6 +104,28 @@ TEST(Validate, NamesFieldRuleAndValue) {
     for (const Case& c : cases) expect_error(c);
 }
 
+TEST(Validate, NamesTheRuleThatACushionOnClothBreaks) {
+    const auto broken = [](const char* path, const char* rule, auto breaks) {
+        return Case{path, rule, [breaks](Scene& s) {
+                        s.motion = ClothMotion{};
+                        s.impacts.ball_cushion = {CushionLaw::stronge, 0.85, 0.2, 0.6};
+                        validate(s);
+                        breaks(s.impacts.ball_cushion);
+                    }};
+    };
+    const Case cases[] = {
+        broken("impacts.ball_cushion.friction", ">= 0",
+               [](CushionImpact& c) { c.friction = -0.1; }),
+        broken("impacts.ball_cushion.height", "below every ball's top",
+               [](CushionImpact& c) { c.height = 1; }),
+        broken("impacts.ball_cushion.cloth_friction", ">= 0",
+               [](CushionImpact& c) { c.cloth_friction = kNan; }),
+        broken("impacts.ball_cushion.frequency_ratio", "below 2",
+               [](CushionImpact& c) { c.frequency_ratio = 2; }),
+    };
+    for (const Case& c : cases) expect_error(c);
+}
+
 TEST(Validate, AllowsOverlapsOfTypedData) {
     Scene scene = valid_scene();
     scene.balls[1].position = {3 - 0.9e-7 * 0.5, 2};

@@ -1,3 +1,5 @@
+#include <vector>
+
 #include <gtest/gtest.h>
 
 #include "osculo/io.hpp"
@@ -67,6 +69,25 @@ TEST(ClothJson, ACueWithoutElevationIsAsLevelAsCanBe) {
     } catch (const SceneError& error) {
         EXPECT_STREQ(error.what(), "cue.ball: must be the id of a ball, but it is \"white\"");
     }
+}
+
+/// The cushion laws with friction, with and without what only they have.
+TEST(ClothJson, EveryCushionComesBackAsItWas) {
+    std::vector<CushionImpact> cushions(4, shot().impacts.ball_cushion);
+    cushions[0].law = CushionLaw::stronge;
+    cushions[1].law = CushionLaw::stronge;
+    cushions[1].frequency_ratio = 1.7;
+    cushions[2].law = CushionLaw::mathavan_2010;
+    cushions[3].law = CushionLaw::mathavan_2010;
+    cushions[3].cloth_friction = 0.15;
+    for (const CushionImpact& cushion : cushions) {
+        Scene scene = shot();
+        scene.impacts.ball_cushion = cushion;
+        const std::string json = scene_to_json(scene);
+        EXPECT_EQ(scene_from_json(json), scene);
+        EXPECT_EQ(scene_from_msgpack(msgpack_from_json(json)), scene);
+    }
+    EXPECT_NE(cushions[2], cushions[3]);
 }
 
 TEST(ClothJson, ARunComesBackAsItWas) {

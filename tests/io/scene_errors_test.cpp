@@ -132,9 +132,14 @@ TEST(SceneErrors, UnknownLawsAndNames) {
         {with(R"("impacts": {"ball_ball": {"law": "frictional", "friction": 0.05}})"),
          "impacts.ball_ball.law: needs balls with spin, that is, the motion law cloth, "
          "but it is frictional"},
+        {with(R"("impacts": {"ball_cushion": {"law": "strong"}})"),
+         "impacts.ball_cushion.law: must be restitution, han_2005, mathavan_2010 or stronge, "
+         "did you mean stronge?, but it is \"strong\""},
         {with(R"("impacts": {"ball_cushion": {"law": "stronge"}})"),
-         "impacts.ball_cushion.law: must be restitution or han_2005 (mathavan_2010 and stronge are "
-         "not available yet), but it is \"stronge\""},
+         "impacts.ball_cushion.friction: must be given, but it is missing"},
+        {with(R"("impacts": {"ball_cushion": {"law": "stronge", "friction": 0.2, "height": 1}})"),
+         "impacts.ball_cushion.law: needs balls with spin, that is, the motion law cloth, "
+         "but it is a law with friction"},
         {with(R"("cue": {"ball": "a", "speed": 1, "azimuth": 0})"),
          "cue: needs balls with spin, that is, the motion law cloth, but it is a cue"},
         {with(R"("impacts": {"simultaneous": "symmetric"})"),

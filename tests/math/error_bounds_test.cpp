@@ -4,6 +4,7 @@
 
 #include "osculo/impact/restitution.hpp"
 #include "osculo/math/first_root.hpp"
+#include "osculo/math/first_root_parabolic.hpp"
 #include "support/contact_families.hpp"
 #include "support/exact_scalars.hpp"
 
@@ -202,6 +203,30 @@ TEST(Bounds, StartOverlapCoversTouchingBallsTypedWithEightDigits) {
     }
     EXPECT_LE(worst, math::kStartOverlap);
     EXPECT_GT(worst, math::kStartOverlap / 10);
+}
+
+/// On an axis at the distance s a tangent is one without any rounding.
+TYPED_TEST(BuiltinBounds, TangentIsWhatRoundingMakesOfATangentOnACurvedPath) {
+    using S = TypeParam;
+    const S eps = math::epsilon<S>();
+    Random random(29);
+    int above_a_hundredth = 0;
+    for (int i = 0; i < kCases; ++i) {
+        const S s = random.magnitude<S>(-6, 0);
+        const S u = random.magnitude<S>(-3, 3);
+        const S time = s / u * random.magnitude<S>(-4, i % 2 == 0 ? 0 : 10);
+        const S w = u / time * random.magnitude<S>(-6, -3) * random.signed_unit<S>();
+        const math::ParabolicApproach<S> p{{-time * (u + time * w), s}, {u, S(0)}, {w, S(0)}, s};
+        EXPECT_FALSE(math::is_finite<S>(math::first_entry<S>(p, S(2) * time))) << bits<S>(p.c);
+        const S t = p.sharpened_turn(time);
+        const S slope = math::narrow(p.wide_approach(t));
+        const S beyond = slope * slope / p.bend(t);
+        const S gap = math::narrow(math::Wide<S>(p.wide_gap(t) - beyond));
+        const S least = eps * eps * p.wide_gap_error(t, p.place(t));
+        EXPECT_LE(math::abs<S>(gap), least) << bits<S>(p.c);
+        above_a_hundredth += math::abs<S>(gap) > least / S(100);
+    }
+    EXPECT_GT(above_a_hundredth, 0);
 }
 
 }  // namespace

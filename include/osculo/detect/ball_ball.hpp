@@ -37,7 +37,7 @@ template <math::Scalar S>
 }
 
 /// The same for two balls with constant accelerations, until the first of their paths ends
-/// (NUMERICS 1.5). Error <= 2 ulp of the time but for grazes of 1e-16 of the reach.
+/// (NUMERICS 1.5). Error <= 1 ulp of the time for the rounded difference of their states.
 template <math::Scalar S>
 [[nodiscard]] S first_contact(const motion::ParabolicPath<S>& first,
                               const motion::ParabolicPath<S>& second, const S& reach,

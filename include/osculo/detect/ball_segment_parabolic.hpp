@@ -26,6 +26,13 @@ struct LineApproach {
         if (!(half_acceleration < zero)) return math::never<S>();
         return math::quotient(Wide(speed + root), Wide(half_acceleration * Wide(S(-2))));
     }
+
+    /// Whether there is a gap at t.
+    [[nodiscard]] bool is_open(const S& t) const {
+        using Wide = math::Wide<S>;
+        const Wide rise = (half_acceleration * Wide(t) + speed) * Wide(t);
+        return rise + gap > Wide(S(0));
+    }
 };
 
 /// First contact with the line from the side where the gap is measured, t >= 0, wherever the foot
@@ -43,7 +50,8 @@ template <math::Scalar S>
         return pull < S(0) ? S(-speed / pull) : math::never<S>();
     }
     // Touching, an approach that is mere rounding counts when it has become noticeable.
-    if (resolved || (starts_here && approaches && -speed <= history.noise && gap <= noticeable)) {
+    const bool noise = history.noise > S(0) && -speed <= history.noise && gap <= noticeable;
+    if (resolved || (starts_here && approaches && noise)) {
         line.gap = math::Wide<S>(noticeable);
         return line.falling_zero();
     }
@@ -51,7 +59,8 @@ template <math::Scalar S>
     if (approaches) return starts_here ? S(0) : math::never<S>();
     const S t = line.falling_zero();
     if (math::is_finite<S>(t) || !starts_here || !(pull < S(0))) return t;
-    return -speed / (S(2) * pull);  // overlapping by rounding, and pulled back before they part
+    // Overlapping by rounding, and pulled back before they part.
+    return math::quotient(line.speed, math::Wide<S>(line.half_acceleration * math::Wide<S>(S(-2))));
 }
 
 }  // namespace detail
@@ -80,6 +89,7 @@ template <math::Scalar S>
                                            math::wide_dot<S>(path.half_acceleration, normal)};
         const S t = detail::first_contact<S>(line, radius, starts_here, history);
         if (!(t >= S(0) && t <= last && t < best)) continue;
+        if (t == last && line.is_open(t)) continue;  // rounded down to the end of the path
         const math::Vec<S> place = c + t * (path.velocity + t * path.half_acceleration);
         const S foot = math::dot<S>(place, segment.tangent);
         if (foot >= S(0) && foot <= segment.length) best = t;

@@ -19,6 +19,12 @@ inline constexpr int kRejectionSlack = 4;
 /// for each product), of which solving for the time leaves a quarter.
 inline constexpr int kExactStage = 64;
 
+/// An extreme gap on a curved path below this many epsilon of the bound of its rounding error in S
+/// is none: the path is a tangent, which is no contact. Each of the ten operations in wide
+/// precision errs by up to 1.25 epsilon^2 of a term, the bound has kRejectionSlack epsilon of each;
+/// they all but never add up: a hundredth would not be enough.
+inline constexpr int kTangent = 1;
+
 /// Rounding noise of a velocity that an impact has just computed, in units of
 /// epsilon (|v before| + |v after|), such that the noises of a pair cover the error of its closing
 /// speed: 5/2 of the speeds before (difference, quotients and products) and 1/2 of those after. A

@@ -15,6 +15,11 @@ struct Cubic {
     [[nodiscard]] S operator()(const S& t) const { return p0 + t * (p1 + t * (p2 + t * p3)); }
     [[nodiscard]] S slope(const S& t) const { return p1 + t * (S(2) * p2 + S(3) * t * p3); }
 
+    /// The sum of the terms' sizes at t >= 0, of which the value is uncertain by some epsilon.
+    [[nodiscard]] S size(const S& t) const {
+        return abs<S>(p0) + t * (abs<S>(p1) + t * (abs<S>(p2) + t * abs<S>(p3)));
+    }
+
     /// Where the slope vanishes, in ascending order; false if it has no two real zeros, in which
     /// case the cubic is monotone.
     [[nodiscard]] bool extrema(S& first, S& last) const {

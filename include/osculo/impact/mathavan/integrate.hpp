@@ -23,6 +23,9 @@ inline constexpr int kMostSteps = 4000;
 /// Error of a stiff step, for every scalar type: few impacts have any, and few of those many.
 inline constexpr double kStiffError = 0x1p-43;
 
+/// After this many steps without an attempt at a stiff one the wait grows no more.
+inline constexpr int kMostWait = 15;
+
 /// Slips below this many epsilon of max(1, their first size) and on the decrease are none.
 inline constexpr int kNoSlip = 8;
 
@@ -167,6 +170,10 @@ private:
 
     /// A stiff step well beyond [length], if there is one without event.
     bool advance_stiffly(const Step<S>& step, const S& length) {
+        if (stiff_wait_ > 0) {
+            --stiff_wait_;
+            return false;
+        }
         const StiffStep<S> stiff(k_, step.at_cushion, step.at_cloth);
         Motion<S> start;
         start.set_pair(Motion<S>::kCushionSlip, step.cushion.slip(0));
@@ -180,6 +187,7 @@ private:
             if (!(stiff.advance(end, tried) <= bound) || has_event(step, stiff, start, end))
                 continue;
             stiff_length_ = tried;
+            stiff_failures_ = 0;
             longest_ = tried;
             target_ += end.work();
             state_.approach = end.approach();
@@ -191,6 +199,9 @@ private:
             cloth_.zero = step.at_cloth == Mode::sticking;
             return true;
         }
+        // Most that look stiff are not, and trying costs as much as ten other steps.
+        if (stiff_failures_ < kMostWait) stiff_failures_ = 2 * stiff_failures_ + 1;
+        stiff_wait_ = stiff_failures_;
         return false;
     }
 
@@ -273,6 +284,8 @@ private:
     S target_{0};  ///< work taken in the compression, then what is still to be given back
     S longest_{4};
     S stiff_length_{0};
+    int stiff_failures_ = 0;  ///< in a row: 2^n - 1 for n of them
+    int stiff_wait_ = 0;      ///< steps until the next attempt
 };
 
 }  // namespace osculo::impact::mathavan
