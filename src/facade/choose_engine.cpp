@@ -41,10 +41,11 @@ const ReadyEngine& narrowest_engine(const Scene& scene, const Options& options) 
             if (covers(engine, scene, options)) return engine;
         }
     }
-    // Each precision has an engine for free flight with every obstacle, every recorder and the cell
-    // grid; friction has engines in double only.
-    throw SceneError("motion.law", "must be uniform for a precision other than double",
-                     std::string(to_string(options.precision)));
+    // Every precision has engines with every obstacle, every recorder and every motion law.
+    throw SceneError("impacts.ball_cushion.law",
+                     "must be restitution or han_2005 for a precision other than double",
+                     std::string(to_string(scene.impacts.ball_cushion.law)) + " with " +
+                         std::string(to_string(options.precision)));
 }
 
 }  // namespace facade

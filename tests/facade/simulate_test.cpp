@@ -130,11 +130,13 @@ TEST(Simulate, OrderOfTheSceneDoesNotMatter) {
     }
 }
 
-TEST(Simulate, RefusesAPrecisionInWhichAMotionLawHasNoEngine) {
+TEST(Simulate, RefusesAPrecisionInWhichACushionHasNoEngine) {
     Scene scene = random_scene(1);
     scene.motion = ClothMotion{};
-    EXPECT_NO_THROW(static_cast<void>(choose_engine(scene)));
     const Options options{.precision = Precision::quad};
+    EXPECT_NO_THROW(static_cast<void>(choose_engine(scene, options)));
+    scene.impacts.ball_cushion = {CushionLaw::stronge, 0.85, 0.2, 0.3};
+    EXPECT_NO_THROW(static_cast<void>(choose_engine(scene)));
     EXPECT_THROW(static_cast<void>(choose_engine(scene, options)), SceneError);
     EXPECT_THROW(static_cast<void>(simulate(scene, options)), SceneError);
 }

@@ -93,6 +93,7 @@ private:
         scene.cue->ball = "cue";
         scene.cue->speed = speed;
         scene.cue->azimuth = azimuth;
+        scene.cue->allow_obstructed = true;
         scene.cue->elevation = random_() % 2 == 0 ? 0 : number(0, 0.6);
         scene.cue->offset = {number(-0.35, 0.35), number(-0.35, 0.35)};
         return scene;

@@ -41,6 +41,7 @@ Scene random_shot(support::Random& random, CushionLaw law) {
         cue.azimuth = random.uniform(0.0, 6.28);
         cue.elevation = random.uniform(0.0, 0.3);
         cue.offset = {random.uniform(-0.35, 0.35), random.uniform(-0.35, 0.35)};
+        cue.allow_obstructed = true;
         scene.cue = cue;
     } else {  // all at once, with any spin
         for (Ball& ball : scene.balls) {

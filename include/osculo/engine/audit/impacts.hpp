@@ -87,6 +87,13 @@ private:
             noise = noise + math::norm1<S>(event.before[k].velocity) +
                     math::norm1<S>(event.after[k].velocity);
         }
+        if constexpr (Type::Motion::kTransitions) {
+            // What is left of a speed has the rounding of what it has been.
+            S path = path_[event.first];
+            if (balls == 2) path = path + path_[event.second];
+            noise =
+                noise + math::square_root<S>(S(2) * largest_acceleration<S>(scene_.motion) * path);
+        }
         noise = noise * S(math::kVelocityNoise) * math::epsilon<S>() * math::norm1<S>(normal);
         if (closing(event.before) < -noise) ++result.unexplained;
         if (!event_captures<Type>(event.kind) && closing(event.after) > noise) ++result.unexplained;
