@@ -93,7 +93,12 @@ TEST_P(ClothCushions, ShotsComeToRestWithoutGainingEnergy) {
                 before += energy(ball, event.before[k]);
                 after += energy(ball, event.after[k]);
             }
-            EXPECT_LE(after, before * (1 + 1e-12) + 1e-18)
+            // Balls that are pressed together may gain a little (osculo/impact/pressing.hpp).
+            const double sliding = std::get<ClothMotion>(scene.motion).sliding_friction;
+            const double speed =
+                (pair ? 2 : 1) * sliding * scene.gravity * scene.impacts.contact_time;
+            const double mass = scene.balls[event.ball].mass / (pair ? 2 : 1);
+            EXPECT_LE(after, before * (1 + 1e-12) + mass * speed * speed / 8)
                 << "shot " << i << " at " << event.time << " s, kind "
                 << static_cast<int>(event.kind);
             at_cushions += event.kind == EventKind::ball_segment;
