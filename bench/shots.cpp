@@ -2,17 +2,19 @@
 // amount of work for tools that count instructions:
 //
 //     bench_shots                      the table of figures
-//     bench_shots KIND SHOTS           plays that many shots and prints the events
+//     bench_shots KIND SHOTS           plays that many shots and prints the events and a hash of
+//                                      every bit of where the balls end up
 //
 // A kind is break-4.5, break-10 (speed of the cue ball [m/s]), balls-5, -10, -15 (random mid-game
 // positions, 1 to 6 m/s, random direction) or cut (two balls, the second hit at a random angle).
 
+#include <algorithm>
+#include <bit>
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
 #include <ctime>
 #include <functional>
-#include <numbers>
 #include <random>
 #include <string>
 #include <vector>
@@ -107,10 +109,10 @@ const std::vector<Work>& kinds() {
 
 constexpr std::size_t kShots = 200;
 
-std::vector<engine::SceneData<Type>> compile(const Work& work) {
+std::vector<engine::SceneData<Type>> compile(const Work& work, std::size_t count) {
     std::mt19937_64 random(1);
     std::vector<engine::SceneData<Type>> result;
-    for (std::size_t i = 0; i < kShots; ++i) {
+    for (std::size_t i = 0; i < count; ++i) {
         result.push_back(facade::compile_scene<Type>(work.make(random)).data);
     }
     return result;
@@ -120,6 +122,14 @@ struct Played {
     std::uint64_t events = 0;
     std::uint64_t predictions = 0;
     std::size_t not_at_rest = 0;
+    std::uint64_t hash = 14695981039346656037U;  // FNV-1a
+
+    void add_bits(double x) {
+        const auto bits = std::bit_cast<std::uint64_t>(x);
+        for (int shift = 0; shift < 64; shift += 8) {
+            hash = (hash ^ ((bits >> shift) & 0xFFU)) * 1099511628211U;
+        }
+    }
 };
 
 /// All of them on one engine: what is known of the table is computed once.
@@ -127,11 +137,16 @@ Played play(engine::Engine<Type>& engine, const std::vector<engine::SceneData<Ty
             std::size_t count) {
     Played sum;
     for (std::size_t i = 0; i < count; ++i) {
-        engine.restart(shots[i % shots.size()].bodies);
+        engine.restart(shots[i].bodies);
         const Status status = engine.run({600, 1'000'000});
         sum.events += engine.event_count();
         sum.predictions += engine.prediction_count();
         sum.not_at_rest += status != Status::at_rest;
+        for (const auto& body : engine.bodies()) {
+            sum.add_bits(body.state.position.x.hi);
+            sum.add_bits(body.state.position.y.lo);
+            sum.add_bits(body.state.spin.z());
+        }
     }
     return sum;
 }
@@ -141,11 +156,13 @@ Played play(engine::Engine<Type>& engine, const std::vector<engine::SceneData<Ty
 int main(int argc, char** argv) {
     for (const Work& work : kinds()) {
         if (argc > 1 && work.name != argv[1]) continue;
-        const auto shots = compile(work);
+        const std::size_t count = argc > 2 ? static_cast<std::size_t>(std::atol(argv[2])) : kShots;
+        const auto shots = compile(work, std::max(count, kShots));
         engine::Engine<Type> engine(shots.front());
         if (argc > 2) {
-            const Played sum = play(engine, shots, static_cast<std::size_t>(std::atol(argv[2])));
-            std::printf("%llu events\n", static_cast<unsigned long long>(sum.events));
+            const Played sum = play(engine, shots, count);  // always the same shots are set up
+            std::printf("%llu events, hash %016llx\n", static_cast<unsigned long long>(sum.events),
+                        static_cast<unsigned long long>(sum.hash));
             return 0;
         }
         double best = 1e300;
