@@ -24,7 +24,7 @@ struct Settings {
     std::string scene;
     std::string path;
     double budget = 0.25;   ///< processor time per point [s], exceeded only for the first few runs
-    double patience = 2.5;  ///< processor time of one run [s]
+    double patience = 1.5;  ///< processor time of one run [s]
     int cross_checks = 5;   ///< variants that are played with 50 digits as well
     std::vector<double> steps{1. / 30,    1. / 60,    1. / 240,    1. / 960, 1. / 3840,
                               1. / 15360, 1. / 61440, 1. / 245760, 1e-6};

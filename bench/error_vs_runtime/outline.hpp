@@ -19,6 +19,7 @@ struct Line {
     double x, y;    ///< one end
     double tx, ty;  ///< unit vector to the other end
     double length;
+    double middle_x, middle_y;
     bool one_sided;
 
     explicit Line(const Segment& segment)
@@ -28,6 +29,15 @@ struct Line {
         length = std::hypot(dx, dy);
         tx = dx / length;
         ty = dy / length;
+        middle_x = x + dx / 2;
+        middle_y = y + dy / 2;
+    }
+
+    /// False only if no point of it is within that distance.
+    [[nodiscard]] bool near(double px, double py, double distance) const {
+        const double half = length / 2;
+        return std::abs(px - middle_x) <= distance + half * std::abs(tx) &&
+               std::abs(py - middle_y) <= distance + half * std::abs(ty);
     }
 
     [[nodiscard]] Foot foot(double px, double py) const {
@@ -55,6 +65,11 @@ struct Curve {
           radius(arc.radius),
           from(arc.from_angle),
           sweep(arc.to_angle - arc.from_angle) {}
+
+    /// False only if no point of it is within that distance.
+    [[nodiscard]] bool near(double px, double py, double distance) const {
+        return std::abs(px - x) <= distance + radius && std::abs(py - y) <= distance + radius;
+    }
 
     /// Whether a direction from the centre goes through the arc.
     [[nodiscard]] bool spans(double dx, double dy) const {

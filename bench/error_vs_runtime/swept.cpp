@@ -51,17 +51,22 @@ public:
         : scene_(scene), outline_(scene), balls_(balls_of(scene)) {}
 
     void step(double h) {
-        find_neighbours(h);
-        double left = h;
+        elapsed_ = 0;
+        look(h);
         // Contacts without end would need balls pressed together; nothing here presses.
         for (int passes = 0; passes < 100000; ++passes) {
-            const Hit hit = earliest(left);
-            if (!(hit.time <= left)) break;
-            move(hit.time);
-            left -= hit.time;
-            resolve(hit, now_ + h - left);
+            const Hit hit = earliest();
+            if (!(hit.time <= h)) break;
+            move(hit.time - elapsed_);
+            elapsed_ = hit.time;
+            resolve(hit, now_ + elapsed_);
+            if (too_fast(hit.ball) || (hit.what == 0 && too_fast(hit.other))) {
+                look(h);
+            } else {
+                look_again(hit);
+            }
         }
-        move(left);
+        move(h - elapsed_);
         now_ += h;
     }
 
@@ -70,69 +75,104 @@ public:
     std::vector<Contact> contacts;
 
 private:
-    /// Pairs that may meet within the step, by sweeping along x.
-    void find_neighbours(double h) {
-        double energy = 0;
-        double lightest = kNever;
+    struct Pair {
+        std::size_t first;
+        std::size_t second;
+        double time;  ///< of their contact, from the start of the step
+    };
+
+    /// Finds the pairs that may meet before the end of the step, by sweeping along x, and when.
+    void look(double h) {
+        double fastest = 0;
         double largest = 0;
         for (const Moving& ball : balls_) {
-            energy += ball.mass * (ball.vx * ball.vx + ball.vy * ball.vy);
-            lightest = std::min(lightest, ball.mass);
+            fastest = std::max(fastest, ball.vx * ball.vx + ball.vy * ball.vy);
             largest = std::max(largest, ball.radius);
         }
-        // No ball becomes faster than if it had all energy.
-        const double reach = h * std::sqrt(energy / lightest);
+        // A ball that becomes faster than that in the step makes us look again.
+        limit_ = 2 * std::sqrt(fastest);
+        reach_ = (h - elapsed_) * limit_;
         order_.resize(balls_.size());
         for (std::size_t i = 0; i < order_.size(); ++i) order_[i] = i;
         std::sort(order_.begin(), order_.end(),
                   [&](std::size_t a, std::size_t b) { return balls_[a].x < balls_[b].x; });
         pairs_.clear();
+        cushions_.resize(balls_.size());
         for (std::size_t k = 0; k < order_.size(); ++k) {
             const Moving& a = balls_[order_[k]];
+            look_at_cushions(order_[k]);
             if (!a.present) continue;
             for (std::size_t l = k + 1; l < order_.size(); ++l) {
                 const Moving& b = balls_[order_[l]];
-                if (b.x - a.x > a.radius + largest + 2 * reach) break;
-                const double near = a.radius + b.radius + 2 * reach;
+                if (b.x - a.x > a.radius + largest + 2 * reach_) break;
+                const double near = a.radius + b.radius + 2 * reach_;
                 if (!b.present || std::abs(b.y - a.y) > near) continue;
-                pairs_.emplace_back(std::min(order_[k], order_[l]), std::max(order_[k], order_[l]));
+                const auto [first, second] = std::minmax(order_[k], order_[l]);
+                pairs_.push_back({first, second, contact(first, second)});
             }
         }
     }
 
-    Hit earliest(double horizon) const {
-        Hit best;
-        best.time = std::nextafter(horizon, kNever);
-        bool found = false;
-        const auto offer = [&](double t, std::size_t i, std::size_t j, int what, double nx,
-                               double ny) {
-            if (!(t < best.time)) return;
-            best = {t, i, j, what, nx, ny};
-            found = true;
-        };
-        for (const auto& [i, j] : pairs_) {
-            const Moving& a = balls_[i];
-            const Moving& b = balls_[j];
-            if (!a.present || !b.present) continue;
-            offer(entry(b.x - a.x, b.y - a.y, b.vx - a.vx, b.vy - a.vy, a.radius + b.radius), i, j,
-                  0, 0, 0);
-        }
-        for (std::size_t i = 0; i < balls_.size(); ++i) {
-            const Moving& a = balls_[i];
-            if (!a.present || (a.vx == 0 && a.vy == 0)) continue;
-            for (const Line& line : outline_.lines) sweep(a, line, i, offer);
-            for (const Curve& arc : outline_.curves) sweep(a, arc, i, offer);
-            for (const Rim& rim : scene_.rims) {
-                offer(entry(a.x - rim.center.x, a.y - rim.center.y, a.vx, a.vy, rim.radius), i, 0,
-                      kRim, 0, 0);
+    /// After a contact, only those that took part have other contacts ahead.
+    void look_again(const Hit& hit) {
+        look_at_cushions(hit.ball);
+        if (hit.what == 0) look_at_cushions(hit.other);
+        const std::size_t i = hit.ball;
+        const std::size_t j = hit.what == 0 ? hit.other : hit.ball;
+        for (Pair& pair : pairs_) {
+            if (pair.first == i || pair.second == i || pair.first == j || pair.second == j) {
+                pair.time = contact(pair.first, pair.second);
             }
         }
-        if (!found) best.time = kNever;
+    }
+
+    [[nodiscard]] bool too_fast(std::size_t i) const {
+        const Moving& ball = balls_[i];
+        return ball.vx * ball.vx + ball.vy * ball.vy > limit_ * limit_;
+    }
+
+    [[nodiscard]] double contact(std::size_t i, std::size_t j) const {
+        const Moving& a = balls_[i];
+        const Moving& b = balls_[j];
+        if (!a.present || !b.present) return kNever;
+        return elapsed_ +
+               entry(b.x - a.x, b.y - a.y, b.vx - a.vx, b.vy - a.vy, a.radius + b.radius);
+    }
+
+    void look_at_cushions(std::size_t i) {
+        const Moving& a = balls_[i];
+        Hit& best = cushions_[i];
+        best = {};
+        if (!a.present || (a.vx == 0 && a.vy == 0)) return;
+        const auto offer = [&](double t, int what, double nx, double ny) {
+            if (t + elapsed_ < best.time) best = {t + elapsed_, i, 0, what, nx, ny};
+        };
+        const double near = a.radius + reach_;
+        for (const Line& line : outline_.lines) {
+            if (line.near(a.x, a.y, near)) sweep(a, line, offer);
+        }
+        for (const Curve& arc : outline_.curves) {
+            if (arc.near(a.x, a.y, near)) sweep(a, arc, offer);
+        }
+        for (const Rim& rim : scene_.rims) {
+            offer(entry(a.x - rim.center.x, a.y - rim.center.y, a.vx, a.vy, rim.radius), kRim, 0,
+                  0);
+        }
+    }
+
+    [[nodiscard]] Hit earliest() const {
+        Hit best;
+        for (const Pair& pair : pairs_) {
+            if (pair.time < best.time) best = {pair.time, pair.first, pair.second, 0, 0, 0};
+        }
+        for (const Hit& hit : cushions_) {
+            if (hit.time < best.time) best = hit;
+        }
         return best;
     }
 
     template <class Offer>
-    static void sweep(const Moving& a, const Line& line, std::size_t i, Offer& offer) {
+    static void sweep(const Moving& a, const Line& line, const Offer& offer) {
         const double dx = a.x - line.x;
         const double dy = a.y - line.y;
         double side = dy * line.tx - dx * line.ty;
@@ -146,7 +186,7 @@ private:
             const double along =
                 dx * line.tx + dy * line.ty + t * (a.vx * line.tx + a.vy * line.ty);
             if (along >= 0 && along <= line.length) {
-                offer(t, i, 0, kCushion, -sign * line.ty, sign * line.tx);
+                offer(t, kCushion, -sign * line.ty, sign * line.tx);
             }
         }
         for (const double end : {0.0, line.length}) {
@@ -157,12 +197,12 @@ private:
             const double nx = ex + t * a.vx;
             const double ny = ey + t * a.vy;
             const double d = std::hypot(nx, ny);
-            offer(t, i, 0, kCushion, nx / d, ny / d);
+            offer(t, kCushion, nx / d, ny / d);
         }
     }
 
     template <class Offer>
-    static void sweep(const Moving& a, const Curve& arc, std::size_t i, Offer& offer) {
+    static void sweep(const Moving& a, const Curve& arc, const Offer& offer) {
         const double dx = a.x - arc.x;
         const double dy = a.y - arc.y;
         const bool inside = dx * dx + dy * dy < arc.radius * arc.radius;
@@ -173,7 +213,7 @@ private:
         const double ny = dy + t * a.vy;
         if (!arc.spans(nx, ny)) return;
         const double d = inside ? -std::hypot(nx, ny) : std::hypot(nx, ny);
-        offer(t, i, 0, kCushion, nx / d, ny / d);
+        offer(t, kCushion, nx / d, ny / d);
     }
 
     void move(double t) {
@@ -215,8 +255,12 @@ private:
     Outline outline_;
     std::vector<Moving> balls_;
     std::vector<std::size_t> order_;
-    std::vector<std::pair<std::size_t, std::size_t>> pairs_;
-    double now_ = 0;
+    std::vector<Pair> pairs_;
+    std::vector<Hit> cushions_;  ///< the first of each ball
+    double limit_ = 0;           ///< speed beyond which pairs may be missing [m/s]
+    double reach_ = 0;           ///< how far a ball may come in what is left of the step [m]
+    double elapsed_ = 0;         ///< of the step
+    double now_ = 0;             ///< start of the step
 };
 
 }  // namespace
