@@ -45,7 +45,7 @@ Difference compare(const Snapshot& is, const Snapshot& should, double radius,
 
 bool same_contacts(const std::vector<Contact>& is, const std::vector<Contact>& should,
                    std::size_t balls, double time, double step) {
-    const double tolerance = 2 * step;
+    const double tolerance = std::min(2 * step, time / 10);
     const auto mine = by_ball(is, balls, tolerance);
     const auto theirs = by_ball(should, balls, tolerance);
     for (std::size_t i = 0; i < balls; ++i) {

@@ -17,8 +17,9 @@ struct Difference {
                                  const Exact& start_energy);
 
 /// Whether, up to `time`, every ball met the same partners in the same order as in the reference.
-/// Contacts may be dated two steps late or early; cushions that a ball meets within less than that
-/// count once (engines cut corners and jaws into pieces differently).
+/// Contacts may be dated two steps late or early, but not more than a tenth of the time; cushions
+/// that a ball meets within less than that count once (engines cut corners and jaws into pieces
+/// differently).
 [[nodiscard]] bool same_contacts(const std::vector<Contact>& is, const std::vector<Contact>& should,
                                  std::size_t balls, double time, double step);
 

@@ -23,9 +23,9 @@ struct Settings {
     bool quick = false;
     std::string scene;
     std::string path;
-    double budget = 0.25;   ///< processor time per point [s], exceeded only for the first few runs
-    double patience = 1.5;  ///< processor time of one run [s]
-    int cross_checks = 5;   ///< variants that are played with 50 digits as well
+    double budget = 0.25;  ///< processor time per point [s], exceeded only for the first few runs
+    double patience = 4;   ///< processor time of one run [s]
+    int cross_checks = 5;  ///< variants that are played with 50 digits as well
     std::vector<double> steps{1. / 30,    1. / 60,    1. / 240,    1. / 960, 1. / 3840,
                               1. / 15360, 1. / 61440, 1. / 245760, 1e-6};
 };
@@ -191,7 +191,7 @@ int main(int argc, char** argv) {
     for (int i = 1; i < argc; ++i) {
         if (std::strcmp(argv[i], "--quick") == 0) {
             settings.quick = true;
-            settings.budget = 0.04;
+            settings.budget = 0.02;
             settings.patience = 0.1;
             settings.cross_checks = 2;
         } else if (std::strcmp(argv[i], "--scene") == 0 && i + 1 < argc) {

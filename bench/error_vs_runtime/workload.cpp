@@ -35,6 +35,8 @@ void add(Scene& scene, Point position, Point velocity, double radius = kRadius, 
     scene.balls.push_back({id, mass, radius, position, velocity, {}});
 }
 
+// All begin at a random distance: where a time step happens to end must not decide.
+
 /// A ball flies against a thin wall 1 to 2 m away, and back: three metres in all.
 Scene thin_wall(std::uint64_t seed, double speed) {
     Random random(seed);
@@ -50,7 +52,8 @@ Scene thin_wall(std::uint64_t seed, double speed) {
 Scene graze(std::uint64_t seed, double) {
     Random random(seed);
     Scene scene;
-    add(scene, {-0.5, 2 * kRadius * (1 - sign(random) * small(random, 1, 12))}, {1, 0});
+    const double beside = 2 * kRadius * (1 - sign(random) * small(random, 1, 12));
+    add(scene, {-between(random, 0.4, 0.5), beside}, {1, 0});
     add(scene, {0, 0}, {0, 0});
     return scene;
 }
@@ -61,7 +64,7 @@ Scene three_bodies(std::uint64_t seed, double) {
     Random random(seed);
     Scene scene;
     const double half = kRadius * between(random, 1.01, 1.5);
-    add(scene, {-0.5, 0}, {1, 0});
+    add(scene, {-between(random, 0.4, 0.5), 0}, {1, 0});
     add(scene, {0, half}, {0, 0});
     add(scene, {sign(random) * kRadius * small(random, 3, 10), -half}, {0, 0});
     return scene;
@@ -71,7 +74,7 @@ Scene three_bodies(std::uint64_t seed, double) {
 Scene cradle(std::uint64_t seed, double) {
     Random random(seed);
     Scene scene;
-    add(scene, {-8 * kRadius, 0}, {1, 0});
+    add(scene, {-kRadius * between(random, 7, 8), 0}, {1, 0});
     const double gap = kRadius * small(random, 2, 10);
     for (int i = 0; i < 4; ++i) add(scene, {i * (2 * kRadius + gap), 0}, {0, 0});
     return scene;
@@ -141,9 +144,8 @@ Scene rim(std::uint64_t seed, double) {
 }  // namespace
 
 const std::vector<Workload>& workloads() {
-    // Where variants differ by orders of magnitude, all contenders must play many. Fewer than 200
-    // variants: a reference of 100 digits takes a second there.
-    constexpr double kPatient = 1;
+    // Where variants differ by orders of magnitude, all contenders must play many.
+    constexpr double kPatient = 4;
     static const std::vector<Workload> all = [] {
         std::vector<Workload> list;
         for (const double speed : {1.0, 1e1, 1e2, 1e3, 1e4, 1e5, 1e6}) {
@@ -156,8 +158,7 @@ const std::vector<Workload>& workloads() {
         list.push_back(
             {.name = "three bodies", .times = {1}, .make = three_bodies, .budget = kPatient});
         list.push_back({.name = "cradle", .times = {0.5}, .make = cradle});
-        list.push_back(
-            {.name = "mass ratio 1e6", .times = {1.5}, .make = mass_ratio, .variants = 50});
+        list.push_back({.name = "mass ratio 1e6", .times = {1.5}, .make = mass_ratio});
         list.push_back({.name = "rim", .times = {0.5}, .make = rim, .budget = kPatient});
         list.push_back({.name = "16 disks", .times = {0.25, 0.5, 1, 2}, .make = box});
         list.push_back(
@@ -165,6 +166,7 @@ const std::vector<Workload>& workloads() {
         list.push_back({.name = "1,000 disks",
                         .times = {0.01, 0.03, 0.1},
                         .make = gas,
+                        // A reference of 100 digits takes more than a second.
                         .variants = 20,
                         .quick_variants = 2});
         list.push_back({.name = "cloth break",

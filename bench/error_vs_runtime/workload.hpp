@@ -17,7 +17,7 @@ struct Workload {
     bool cloth = false;
     int variants = 200;
     int quick_variants = 20;
-    double budget = 0.15;  ///< processor time per contender and step [s], less only with --quick
+    double budget = 0.4;  ///< processor time per contender and step [s], less only with --quick
 };
 
 /// All of them, from trivial to chaotic.
