@@ -18,21 +18,23 @@ struct Case {
     Path other;
 };
 
-constexpr double kSliding = 0.2 * 9.81;
-constexpr double kSlidingTime =
-    4;  // longer than it would be: the same contacts as on straight paths
+constexpr double kHalfDeceleration = 0.5 * 0.01 * 9.81;  // of a rolling ball [m/s^2]
+constexpr double kRollingTime = 4;
 
-/// The straight predictions, bent by a fiftieth of the acceleration of a sliding ball, and
-/// sideways: any more and hits would become misses.
+/// The straight predictions, bent, and begun so that they come to the same place: what hits or
+/// misses there mostly does so here.
 std::vector<Case> cases(Outcome outcome, double reach) {
     support::Random random(11);
     std::vector<Case> all;
     for (const auto& p : predictions<double>(outcome, reach)) {
-        const Vec bend = random.direction<double>() * (0.5 * 0.02 * kSliding * 0.1);
+        const Vec bend = random.direction<double>() * kHalfDeceleration;
         const Vec relative = p.ball.velocity - p.other.velocity;
-        all.push_back({{p.ball.position, p.ball.velocity, bend, kSlidingTime},
-                       {p.ball.position, relative, bend, kSlidingTime},
-                       {p.other.position, p.other.velocity, Vec(0, 0), kSlidingTime}});
+        const Vec way = p.other.position.rounded() - p.ball.position.rounded();
+        const double time = math::norm<double>(way) / math::norm<double>(relative);
+        const math::WidePoint<double> start(Vec(p.ball.position.rounded() - (time * time) * bend));
+        all.push_back({{start, p.ball.velocity, bend, kRollingTime},
+                       {start, relative, bend, kRollingTime},
+                       {p.other.position, p.other.velocity, Vec(0, 0), kRollingTime}});
     }
     return all;
 }
