@@ -129,9 +129,9 @@ void play(Entry& entry, const Workload& workload, const Scene& scene, const Trac
                                  std::min(entry.step, time))
                        ? 0
                        : 1;
-        entry.spent += entry.contender->stepped ? 0 : trace.snapshots[k].cpu_seconds;
     }
-    if (entry.contender->stepped && !trace.snapshots.empty()) {
+    if (!entry.contender->stepped) return;  // plays all variants
+    if (!trace.snapshots.empty()) {
         entry.spent += trace.snapshots.back().cpu_seconds;
     }
     const double budget = settings.budget * workload.budget;

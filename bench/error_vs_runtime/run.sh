@@ -4,7 +4,7 @@
 #
 #     bench/error_vs_runtime/run.sh [--quick] [BUILD_DIRECTORY]      default: build/bench
 #
-# About a quarter of an hour, most of it measuring; --quick: a minute, written to the build
+# About ten minutes, half of it building; --quick: a minute of measuring, written to the build
 # directory instead. Needs Google Benchmark; Box2D and Chipmunk take part if they are installed
 # (.ci/setup --bench).
 set -euo pipefail
@@ -28,4 +28,5 @@ mkdir -p "$results"
 "$programs/bench_error_vs_runtime" "${quick[@]}" "$results/points.csv"
 "$programs/bench_precision_cost" "${quick[@]}" | tee "$results/precision.txt"
 python3 "$here/plot.py" "$results/points.csv" "$results"
+python3 "$here/summary.py" "$results/points.csv" >"$results/summary.md"
 python3 "$here/check.py" "$results/points.csv"
