@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "osculo/impact/cluster.hpp"
+#include "osculo/impact/symmetric/approaching.hpp"
 #include "osculo/impact/symmetric/friction.hpp"
 #include "osculo/impact/symmetric/projection.hpp"
 #include "osculo/impact/symmetric/system.hpp"
@@ -28,12 +29,17 @@ struct ClusterOutcome {
 
 /// All contacts of a cluster at once: symmetric, in whatever order they stand.
 ///
-/// e = 1: generalised reflections (B. Smith, D. M. Kaufman, E. Vouga, R. Tamstorf, E. Grinspun,
-/// "Reflections on Simultaneous Impact", ACM Trans. Graph. 31, 2012): while contacts approach,
-/// twice the impulses of their inelastic impact (Projection) are applied. Energy and momentum are
-/// kept, impulses push. That ends unless the contacts cannot all separate (E. Vouga et al., "All's
-/// Well That Ends Well", ACM Trans. Graph. 36, 2017), for two contacts after at most pi / beta + 1
-/// steps (beta: well_posed.hpp); a cap ends it in any case, with an inelastic impact of the rest.
+/// e = 1: reflections. Contacts that approach fall into groups that share balls. A group whose
+/// outcome is unique (well_posed.hpp: it generates a finite group of reflections) is reflected one
+/// contact at a time until none of it approaches. Any other gets its generalised reflection
+/// (B. Smith, D. M. Kaufman, E. Vouga, R. Tamstorf, E. Grinspun, "Reflections on Simultaneous
+/// Impact", ACM Trans. Graph. 31, 2012): twice the impulses of its inelastic impact (Projection).
+/// The latter alone would be discontinuous where the outcome is not: for a cradle hit from both
+/// sides it turns on whether the weaker blow is zero or all but zero. Both keep energy and momentum
+/// and only push. This is repeated while contacts approach. It ends unless the contacts cannot all
+/// separate (E. Vouga et al., "All's Well That Ends Well", ACM Trans. Graph. 36, 2017), for two
+/// contacts after pi / beta + 1 steps; a cap ends it in any case, with an inelastic impact of the
+/// rest.
 ///
 /// e < 1: impulse by impulse, J = (1 - e) J(inelastic) + e J(reflections); what then approaches is
 /// projected; if different e make that gain energy, it is drawn towards the inelastic impact until
@@ -63,18 +69,26 @@ public:
         system_.load(cluster);
         impulses_.assign(system_.contacts().size(), S(0));
         size_ = system_.size();
+        reached_.clear();
+        for (std::size_t k = 0; k < impulses_.size(); ++k) {
+            if (approaching_.approaches(system_, k, least())) reached_.push_back(k);
+        }
+        outcome.well_posed = symmetric::cluster_is_well_posed<S>(system_, slight(), reached_);
         resolve_normals(outcome);
-        outcome.well_posed = symmetric::cluster_is_well_posed<S>(
-            system_, [&](std::size_t k) { return impulses_[k]; }, least(), slight());
         if constexpr (requires { cluster.balls.front().spin; }) resolve_friction(cluster, outcome);
         for (std::size_t i = 0; i < cluster.balls.size(); ++i) {
             cluster.balls[i].velocity = system_.balls()[i].velocity;
         }
         for (std::size_t k = 0; k < cluster.contacts.size(); ++k) {
-            cluster.contacts[k].impulse = system_.contacts()[k].root * impulses_[k];
+            const S impulse = system_.contacts()[k].root * impulses_[k];
+            // Less than nothing by rounding.
+            cluster.contacts[k].impulse = impulse > S(0) ? impulse : S(0);
         }
         return outcome;
     }
+
+    /// Closing speed of a contact of the cluster just resolved that is rounding [m/s].
+    [[nodiscard]] S noise(std::size_t contact) const { return system_.most_noise(contact); }
 
 private:
     using Vec = math::Vec<S>;
@@ -84,6 +98,7 @@ private:
     /// energy, nothing.
     static constexpr int kApproach = 256;
     static constexpr int kMostProjections = 8;
+    static constexpr int kRefinements = 2;
     static constexpr int kFrictionPasses = 4;
     /// Reflections after which to ask whether they can end.
     static constexpr int kPatience = 64;
@@ -98,9 +113,10 @@ private:
         if (!(size_ > S(0))) return;
         bool some_bounce = false;
         bool some_stick = false;
-        for (const auto& contact : system_.contacts()) {
-            if (contact.restitution > S(0)) some_bounce = true;
-            if (contact.restitution < S(1)) some_stick = true;
+        for (std::size_t k = 0; k < impulses_.size(); ++k) {
+            const S& e = system_.contacts()[k].restitution;
+            if (e > S(0)) some_bounce = true;
+            if (e < S(1)) some_stick = true;
         }
         if (!some_stick) {
             reflect(outcome);
@@ -108,7 +124,6 @@ private:
             return;
         }
         save_velocities(start_);
-        project(least());
         outcome.no_approach = stop();
         if (!some_bounce) return;
 
@@ -122,75 +137,91 @@ private:
         restore_velocities(start_);
         for (std::size_t k = 0; k < impulses_.size(); ++k) {
             const S& e = system_.contacts()[k].restitution;
-            impulses_[k] = (S(1) - e) * stopping_[k] + e * impulses_[k];
-            system_.push(k, system_.contacts()[k].root * impulses_[k]);
+            const S x = (S(1) - e) * stopping_[k] + e * impulses_[k];
+            impulses_[k] = S(0);
+            push(k, x);
         }
         system_.apply();
         outcome.no_approach = stop();
         draw_towards(inelastic_, stopping_, S(0), S(0));
     }
 
-    /// Generalised reflections.
+    /// Reflections, generalised where the outcome is not unique.
     void reflect(ClusterOutcome& outcome) {
         const S noise = least();
-        for (int step = 0; step < most_reflections_; ++step) {
-            std::size_t count = 0;
-            std::size_t last = 0;
-            for (std::size_t k = 0; k < impulses_.size(); ++k) {
-                if (!approaches(k, noise)) continue;
-                ++count;
-                last = k;
+        bool patient = true;
+        while (approaching_.find(system_, noise, slight())) {
+            if (patient && outcome.reflections >= kPatience) {
+                patient = false;
+                if (projection_.jammed(system_)) {
+                    outcome.status = ClusterStatus::jammed;
+                    return;
+                }
             }
-            if (count == 0) return;
-            if (step == kPatience && projection_.jammed(system_)) {
-                outcome.status = ClusterStatus::jammed;
-                return;
-            }
-            if (count == 1) {
-                impulses_[last] += system_.reflect(last);
-            } else {
+            ++outcome.reflections;
+            if (approaching_.has_joint()) {
                 projection_.solve(system_, [&](std::size_t k) {
-                    return approaches(k, noise) ? S(noise / system_.contacts()[k].root) : S(-1);
+                    if (!approaching_.is_joint(k)) return S(-1);
+                    return S(noise / system_.contacts()[k].root);
                 });
                 push_projected(S(2));
             }
-            ++outcome.reflections;
+            if (!reflect_in_turn(outcome, noise) || outcome.reflections >= most_reflections_) {
+                outcome.status = ClusterStatus::capped;
+                return;
+            }
         }
-        outcome.status = ClusterStatus::capped;
     }
-    [[nodiscard]] bool approaches(std::size_t k, const S& noise) const {
-        return system_.contacts()[k].root * system_.separation(k) < -noise;
+    /// One by one, for the order does not matter, until none of them approaches or it is time to
+    /// ask whether that can be. False at the cap.
+    bool reflect_in_turn(ClusterOutcome& outcome, const S& noise) {
+        for (bool first = true;; first = false) {
+            bool changed = false;
+            for (const std::size_t k : approaching_.unique()) {
+                if (!approaching_.approaches(system_, k, noise)) continue;
+                impulses_[k] += system_.reflect(k);
+                changed = true;
+            }
+            if (!changed) return true;
+            if (!first && ++outcome.reflections >= most_reflections_) return false;
+            if (!first && outcome.reflections % kPatience == 0) return true;
+        }
     }
 
-    /// The inelastic impact of all contacts.
-    void project(const S& noise) {
-        projection_.solve(system_,
-                          [&](std::size_t k) { return S(noise / system_.contacts()[k].root); });
-        push_projected(S(1));
-    }
     void push_projected(const S& factor) {
-        for (std::size_t k = 0; k < impulses_.size(); ++k) {
-            const S x = factor * projection_.x(k);
-            if (!(x > S(0))) continue;
-            impulses_[k] += x;
-            system_.push(k, system_.contacts()[k].root * x);
-        }
+        for (std::size_t k = 0; k < impulses_.size(); ++k) push(k, factor * projection_.x(k));
         system_.apply();
+        for (int pass = 0; pass < kRefinements; ++pass) {
+            projection_.refine(system_, factor, [&](std::size_t k, const S& x) { push(k, x); });
+            system_.apply();
+        }
+    }
+    void push(std::size_t k, const S& x) {
+        impulses_[k] += x;
+        system_.push(k, system_.contacts()[k].root * x);
     }
 
-    /// Stops inelastically what approaches by more than the rounding of the two velocities. False
-    /// if something still does.
+    /// The inelastic impact of all contacts: stops what approaches by more than the rounding of the
+    /// two velocities. False if something still does.
     bool stop() {
         for (int pass = 0;; ++pass) {
-            bool approach = false;
-            for (std::size_t k = 0; k < impulses_.size() && !approach; ++k) {
-                approach = system_.separation(k) < -system_.noise(k);
+            // A second pass is finer; a third would chase the rounding of the impulses.
+            if (separated([&](std::size_t k) {
+                    return pass < 2 ? system_.noise(k) : system_.most_noise(k);
+                })) {
+                return true;
             }
-            if (!approach) return true;
             if (pass == kMostProjections) return false;
             projection_.solve(system_, [&](std::size_t k) { return system_.noise(k); });
             push_projected(S(1));
         }
+    }
+    template <class Noise>
+    [[nodiscard]] bool separated(const Noise& noise) const {
+        for (std::size_t k = 0; k < impulses_.size(); ++k) {
+            if (system_.separation(k) < -noise(k)) return false;
+        }
+        return true;
     }
 
     /// Friction, with normals that it makes approach.
@@ -267,13 +298,15 @@ private:
     int most_reflections_;
     symmetric::System<S> system_;
     symmetric::Projection<S> projection_;
+    symmetric::Approaching<S> approaching_;
     symmetric::ClusterFriction<S> friction_;
-    S size_{0};                   // |y| in the beginning
-    std::vector<S> impulses_;     // accumulated, in units of sqrt(m)
-    std::vector<S> stopping_;     // of the inelastic impact, or before friction
-    std::vector<S> pressed_;      // before a pass of friction
-    std::vector<Vec> start_;      // velocities in the beginning,
-    std::vector<Vec> inelastic_;  // after the inelastic impact, or before friction
+    S size_{0};                         // |y| in the beginning
+    std::vector<S> impulses_;           // accumulated, in units of sqrt(m)
+    std::vector<std::size_t> reached_;  // contacts that can come to bear
+    std::vector<S> stopping_;           // of the inelastic impact, or before friction
+    std::vector<S> pressed_;            // before a pass of friction
+    std::vector<Vec> start_;            // velocities in the beginning,
+    std::vector<Vec> inelastic_;        // after the inelastic impact, or before friction
 };
 
 }  // namespace osculo::impact

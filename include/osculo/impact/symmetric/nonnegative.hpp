@@ -76,6 +76,8 @@ public:
 
     [[nodiscard]] std::size_t size() const { return items_.size(); }
     [[nodiscard]] const S& x(std::size_t k) const { return items_[k].x; }
+    /// Product of the column with y.
+    [[nodiscard]] const S& start(std::size_t k) const { return items_[k].start; }
     /// Product of the column with y + A x.
     [[nodiscard]] const S& product(std::size_t k) const { return items_[k].product; }
     [[nodiscard]] const Column<S>& column(std::size_t k) const { return items_[k].column; }
@@ -87,17 +89,16 @@ public:
         return basis_.distance([&](std::vector<S>& rows) { items_[k].column.add_to(rows, S(1)); });
     }
 
-    /// x of those that take part becomes x + (A'A)^-1 [products], where that is positive.
-    template <class Product>
-    void correct(const Product& products) {
+    /// Calls apply(k, z_k) for those that take part, z = (A'A)^-1 [products].
+    template <class Product, class Apply>
+    void solve_normal(const Product& products, const Apply& apply) {
         for (std::size_t p = 0; p < places_.size(); ++p) trial_[p] = products(places_[p]);
         basis_.solve_normal(trial_);
-        for (std::size_t p = 0; p < places_.size(); ++p) {
-            S& x = items_[places_[p]].x;
-            const S better = x + trial_[p];
-            if (better > S(0)) x = better;
-        }
-        refresh();
+        for (std::size_t p = 0; p < places_.size(); ++p) apply(places_[p], trial_[p]);
+    }
+    /// A better x, of a column that takes part.
+    void set_x(std::size_t k, const S& x) {
+        if (x > S(0)) items_[k].x = x;
     }
 
 private:

@@ -42,6 +42,20 @@ public:
 
     [[nodiscard]] const S& x(std::size_t k) const { return impulses_[k]; }
 
+    /// After [factor] times the impulses have been applied: what rounding has left of them, calls
+    /// push(k, more). Impulses that all but cancel, on a light ball between heavy ones, err by more
+    /// than its velocity; the difference to what the contacts' velocities should be does not.
+    template <class Push>
+    void refine(const System<S>& system, const S& factor, const Push& push) {
+        bearing_.solve_normal(
+            [&](std::size_t i) {
+                const std::size_t k = included_[i];
+                return S((S(1) - factor) * bearing_.start(i) -
+                         system.contacts()[k].root * system.separation(k));
+            },
+            [&](std::size_t i, const S& more) { push(included_[i], more); });
+    }
+
     /// Whether some impulses, not all zero, cancel each other: then the contacts cannot all
     /// separate, and the ball between two parallel walls never comes to leave them (P. Gordan).
     [[nodiscard]] bool jammed(const System<S>& system) {
@@ -65,6 +79,7 @@ public:
 
 private:
     static constexpr int kJam = 64;
+    static constexpr int kPasses = 6;
 
     /// Between rounding and any angle that matters: 2^-26 for double.
     static S slight() {
@@ -84,13 +99,14 @@ private:
         if (!(largest > S(0))) return false;
         bool ambiguous = false;
         const auto& change = bearing_.change();
-        S weight(1);  // the root of d, 2^-17 for double
-        for (int i = 0; i < math::ScalarTraits<S>::kDigits / 3; ++i) weight *= S(0.5);
+        // The root of d, 2^-7 for double: rounding errs by epsilon / d, d itself fades in passes.
+        S weight(1);
+        for (int i = 0; i < math::ScalarTraits<S>::kDigits / 7; ++i) weight *= S(0.5);
         for (std::size_t i = 0; i < included_.size(); ++i) {
             if (bearing_.takes_part(i)) {
                 shared_.push_back(i);
             } else if (math::abs<S>(bearing_.product(i)) < slight() * largest &&
-                       bearing_.distance(i) < weight) {
+                       bearing_.distance(i) < slight()) {
                 shared_.push_back(i);
                 ambiguous = true;
             }
@@ -106,12 +122,14 @@ private:
             sharing_.add(column, product, math::epsilon<S>() * largest);
         }
         sharing_.solve();
-        for (int pass = 0; pass < 3; ++pass) {
+        for (int pass = 0; pass < kPasses; ++pass) {
             left_.assign(change.begin(), change.end());
             for (std::size_t i = 0; i < shared_.size(); ++i) {
                 plain(i).add_to(left_, -sharing_.x(i));
             }
-            sharing_.correct([&](std::size_t i) { return plain(i).dot(left_); });
+            sharing_.solve_normal(
+                [&](std::size_t i) { return plain(i).dot(left_); },
+                [&](std::size_t i, const S& more) { sharing_.set_x(i, sharing_.x(i) + more); });
         }
         for (std::size_t& name : shared_) name = included_[name];
         return true;

@@ -24,7 +24,10 @@ public:
         S mass;
         S root;  // of the mass
         math::Vec<S> velocity;
-        math::Vec<S> gain;  // of momentum, not yet applied
+        math::WidePoint<S> gain;  // of momentum, not yet applied
+        S start;                  // speed in the beginning
+        S push;                   // sum of the impulses not yet applied
+        S stir{0};                // largest change of velocity at once, were the impulses parallel
     };
     struct Contact {
         math::Vec<S> normal;  // unit
@@ -38,8 +41,13 @@ public:
     void load(const ClusterType& cluster) {
         balls_.clear();
         for (const auto& ball : cluster.balls) {
-            balls_.push_back({ball.mass, math::square_root<S>(ball.mass), ball.velocity,
-                              math::Vec<S>(S(0), S(0))});
+            balls_.push_back({ball.mass,
+                              math::square_root<S>(ball.mass),
+                              ball.velocity,
+                              {},
+                              math::norm<S>(ball.velocity),
+                              S(0),
+                              S(0)});
         }
         contacts_.clear();
         for (const auto& contact : cluster.contacts) {
@@ -79,12 +87,14 @@ public:
         if (c.other == kFixed) return -math::dot<S>(v, contacts_[k].normal);
         return math::dot<S>(balls_[c.other].velocity - v, contacts_[k].normal);
     }
-    /// Rounding noise of it: kVelocityNoise of what the velocities are.
+    /// Rounding noise of it, as far as the velocities' own rounding goes.
     [[nodiscard]] S noise(std::size_t k) const {
-        const Column<S>& c = contacts_[k].column;
-        S speeds = math::norm<S>(balls_[c.one].velocity);
-        if (c.other != kFixed) speeds += math::norm<S>(balls_[c.other].velocity);
-        return S(math::kVelocityNoise) * math::epsilon<S>() * speeds;
+        return of_both(k, [](const Ball& b) { return b.start + math::norm<S>(b.velocity); });
+    }
+    /// The same with the rounding of the impulses: those on a ball that is jammed may cancel.
+    [[nodiscard]] S most_noise(std::size_t k) const {
+        return of_both(k,
+                       [](const Ball& b) { return b.start + math::norm<S>(b.velocity) + b.stir; });
     }
     /// |y|, the root of twice the energy; with velocities of one's own.
     [[nodiscard]] S size() const {
@@ -109,17 +119,19 @@ public:
     /// The impulse J along the normal; takes effect with apply().
     void push(std::size_t k, const S& impulse) {
         const Column<S>& c = contacts_[k].column;
-        balls_[c.one].gain -= impulse * contacts_[k].normal;
-        if (c.other != kFixed) balls_[c.other].gain += impulse * contacts_[k].normal;
+        pushed(balls_[c.one], -impulse, contacts_[k].normal);
+        if (c.other != kFixed) pushed(balls_[c.other], impulse, contacts_[k].normal);
     }
     /// All pushes at once: one rounding of each velocity.
     void apply() {
         for (Ball& ball : balls_) {
-            ball.velocity += ball.gain / ball.mass;
-            ball.gain = math::Vec<S>(S(0), S(0));
+            ball.velocity += ball.gain.rounded() / ball.mass;
+            ball.gain = {};
+            const S stir = ball.push / ball.mass;
+            if (stir > ball.stir) ball.stir = stir;
+            ball.push = S(0);
         }
     }
-
     /// One contact as if there were no other, by the binary law with e = 1. The impulse in units of
     /// sqrt(m).
     S reflect(std::size_t k) {
@@ -139,6 +151,21 @@ public:
 private:
     static constexpr std::size_t kNoRow = Column<S>::kNone;
     static_assert(Column<S>::kNone == kFixed);
+
+    /// In wide precision: large impulses on a light ball may cancel but for a small one across.
+    static void pushed(Ball& ball, const S& impulse, const math::Vec<S>& n) {
+        ball.gain = {ball.gain.x + math::wide_product<S>(impulse, n.x()),
+                     ball.gain.y + math::wide_product<S>(impulse, n.y())};
+        ball.push += math::abs<S>(impulse);
+    }
+
+    template <class Speed>
+    [[nodiscard]] S of_both(std::size_t k, const Speed& speed) const {
+        const Column<S>& c = contacts_[k].column;
+        S speeds = speed(balls_[c.one]);
+        if (c.other != kFixed) speeds += speed(balls_[c.other]);
+        return S(math::kVelocityNoise) * math::epsilon<S>() * speeds;
+    }
 
     /// A nose tilted by theta lets 1 - (1 + e) cos^2 theta of the velocity towards it pass through
     /// zero (resolve_tilted_plane); the table bears what would go on approaching.
