@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <vector>
 
@@ -179,12 +180,26 @@ private:
             bool changed = false;
             for (const std::size_t k : approaching_.unique()) {
                 if (!approaching_.approaches(system_, k, noise)) continue;
-                impulses_[k] += system_.reflect(k);
+                share_out(k, system_.reflect(k));
                 changed = true;
             }
             if (!changed) return true;
             if (!first && ++outcome.reflections >= most_reflections_) return false;
             if (!first && outcome.reflections % kPatience == 0) return true;
+        }
+    }
+
+    /// An impulse of a contact that may be there more than once (where two segments meet): to all
+    /// of them alike.
+    void share_out(std::size_t k, const S& impulse) {
+        const auto same = [&](std::size_t l) {
+            return symmetric::product<S>(system_.contacts()[k].column,
+                                         system_.contacts()[l].column) > S(1) - slight();
+        };
+        const auto& all = approaching_.unique();
+        const S share = impulse / S(static_cast<double>(std::ranges::count_if(all, same)));
+        for (const std::size_t l : all) {
+            if (same(l)) impulses_[l] += share;
         }
     }
 
