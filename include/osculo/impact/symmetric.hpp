@@ -92,19 +92,13 @@ public:
 private:
     using Vec = math::Vec<S>;
 
-    /// What separates approach from rounding, in units of epsilon |y|: reflections and projections
-    /// leave some 10. Stopping a pair that approaches by so little takes the square of it from the
-    /// energy, nothing.
-    static constexpr int kApproach = 256;
     static constexpr int kMostProjections = 8;
     static constexpr int kRefinements = 2;
     static constexpr int kFrictionPasses = 4;
     /// Reflections after which to ask whether they can end.
     static constexpr int kPatience = 64;
-    /// A gain of energy that is not rounding, in units of epsilon.
-    static constexpr int kGain = 8;
 
-    [[nodiscard]] S least() const { return S(kApproach) * math::epsilon<S>() * size_; }
+    [[nodiscard]] S least() const { return S(math::kClusterApproach) * math::epsilon<S>() * size_; }
     /// Tolerance of cosines: outcomes on both sides differ by as little.
     [[nodiscard]] static S slight() { return math::square_root<S>(math::epsilon<S>()); }
 
@@ -262,7 +256,7 @@ private:
             bool changed = false;
             for (std::size_t k = 0; k < impulses_.size(); ++k) {
                 const S more = impulses_[k] - pressed_[k];
-                if (!(more > S(kApproach) * math::epsilon<S>() * size)) continue;
+                if (!(more > S(math::kClusterApproach) * math::epsilon<S>() * size)) continue;
                 if (friction_.press_again(k, system_.contacts()[k].root * more)) changed = true;
             }
             if (!changed) break;
@@ -297,7 +291,7 @@ private:
         const S size = system_.size();
         const S allowed = size_ * size_ + turning_there;
         const S have = size * size + turning_here;
-        if (!(have > allowed * (S(1) + S(kGain) * math::epsilon<S>()))) return S(1);
+        if (!(have > allowed * (S(1) + S(math::kClusterGain) * math::epsilon<S>()))) return S(1);
         const S there_size = system_.size([&](std::size_t i) { return velocities[i]; });
         const S there = there_size * there_size + turning_there;
         // The energy is convex along the line: below the chord.

@@ -77,8 +77,8 @@ TEST(Invariance, OrderOfBallsAndContacts) {
         const double off = difference(first, second, before) / kEpsilon / (1 + again.reflections);
         // Different restitutions ask for the share of each contact, where more bear than have to.
         // With masses from 1e-6 to 1e6 wedges are right angles but for a tolerance, 2^-26, and now
-        // and then some contact approaches by just about kApproach epsilon of |y|: an ill-posed
-        // outcome turns on whether it does.
+        // and then some contact approaches by just about kClusterApproach epsilon of |y|: an
+        // ill-posed outcome turns on whether it does.
         const int kind = source.masses == Masses::extreme ? 1 : source.same_restitution ? 0 : 2;
         const double most[] = {50, 0x1p26, 1e6};
         if (off > most[kind] && source.masses == Masses::extreme && !outcome.well_posed) {

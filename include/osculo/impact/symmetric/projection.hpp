@@ -77,11 +77,10 @@ public:
         for (std::size_t k = 0; k < sharing_.size(); ++k) sum += sharing_.x(k);
         // |A x|^2 + (sum - 1)^2 = 1 - sum at the solution: 0 if jammed, else about the square of
         // the angle of the wedge.
-        return S(1) - sum < S(kJam) * math::epsilon<S>();
+        return S(1) - sum < S(math::kClusterJam) * math::epsilon<S>();
     }
 
 private:
-    static constexpr int kJam = 64;
     static constexpr int kPasses = 6;
 
     /// Between rounding and any angle that matters: 2^-26 for double.
