@@ -24,6 +24,7 @@ programs="$build/bench"
 } >"$results/machine.txt"
 
 "$programs/bench_sizes" | tee "$results/sizes.txt"
+"$programs/bench_shots" | tee "$results/shots.txt"
 "$programs/bench_micro" --benchmark_min_time=0.1 --benchmark_repetitions=5 \
     --benchmark_enable_random_interleaving=true --benchmark_report_aggregates_only=true \
     --benchmark_out="$build/micro.json" --benchmark_out_format=json >/dev/null
