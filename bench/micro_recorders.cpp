@@ -23,9 +23,7 @@ template <class Type>
 SceneData<Type> start() {
     Scene scene = rack();
     if constexpr (Type::Motion::kSpin) {
-        scene.motion = ClothMotion{};
-        scene.impacts.ball_ball = {BallBallLaw::frictional, 0.95, {0.009951, 0.108, 1.088}};
-        scene.impacts.ball_cushion = {CushionLaw::han_2005, 0.85, 0.2, 0.64 * 2 * 0.028575};
+        presets::set_table_laws(scene, "pool-7ft");
     } else if constexpr (Type::Motion::kTransitions) {
         scene.motion = RollingMotion{};
     }

@@ -125,10 +125,7 @@ Scene rack(std::uint64_t seed, double speed) {
 
 Scene cloth_rack(std::uint64_t seed, double speed) {
     Scene scene = rack(seed, speed);
-    scene.motion = ClothMotion{};
-    scene.impacts.ball_ball = {BallBallLaw::frictional, 0.95, {0.009951, 0.108, 1.088}};
-    scene.impacts.ball_cushion = {CushionLaw::han_2005, 0.85, 0.2,
-                                  0.64 * 2 * presets::kPoolBallRadius};
+    presets::set_table_laws(scene, "pool-7ft");
     return scene;
 }
 

@@ -28,15 +28,6 @@ std::string shown(std::string_view text) {
     return text.size() > kLongest ? result + "..." : result;
 }
 
-std::string listed(std::span<const std::string_view> names, const char* last_word) {
-    std::string result;
-    for (std::size_t i = 0; i < names.size(); ++i) {
-        if (i > 0) result += i + 1 == names.size() ? last_word : ", ";
-        result += names[i];
-    }
-    return result;
-}
-
 }  // namespace
 
 double Value::number() const {

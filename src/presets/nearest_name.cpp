@@ -51,11 +51,12 @@ std::string did_you_mean(std::string_view name, std::span<const std::string_view
     return ", did you mean " + std::string(nearest) + "?";
 }
 
-std::string one_of(std::span<const std::string_view> names) {
+std::string listed(std::span<const std::string_view> names, std::string_view last_word,
+                   std::string_view quote) {
     std::string text;
     for (std::size_t i = 0; i < names.size(); ++i) {
-        if (i > 0) text += i + 1 == names.size() ? " or " : ", ";
-        text += '"' + std::string(names[i]) + '"';
+        if (i > 0) text += i + 1 == names.size() ? last_word : ", ";
+        text.append(quote).append(names[i]).append(quote);
     }
     return text;
 }

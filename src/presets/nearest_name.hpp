@@ -14,7 +14,8 @@ namespace osculo {
 [[nodiscard]] std::string did_you_mean(std::string_view name,
                                        std::span<const std::string_view> names);
 
-/// `"a", "b" or "c"`.
-[[nodiscard]] std::string one_of(std::span<const std::string_view> names);
+/// `a, b or c`, for the last word " or ".
+[[nodiscard]] std::string listed(std::span<const std::string_view> names,
+                                 std::string_view last_word, std::string_view quote = "");
 
 }  // namespace osculo

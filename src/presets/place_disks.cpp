@@ -18,10 +18,9 @@ Point random_in_disk(std::mt19937_64& random) {
 
 Point random_direction(std::mt19937_64& random) {
     for (;;) {
-        const double x = 2 * uniform(random) - 1;
-        const double y = 2 * uniform(random) - 1;
+        const auto [x, y] = random_in_disk(random);
         const double squared = x * x + y * y;
-        if (squared > 0.01 && squared <= 1) {
+        if (squared > 0.01) {
             const double length = std::sqrt(squared);
             return {x / length, y / length};
         }

@@ -76,7 +76,8 @@ void add_rack(Scene& scene, std::string_view name, const RackOptions& options) {
     if (rack == kRacks.end()) {
         std::array<std::string_view, kRacks.size()> names;
         std::ranges::transform(kRacks, names.begin(), &Rack::name);
-        throw SceneError("rack", "must be " + one_of(names) + did_you_mean(name, names), quoted);
+        throw SceneError(
+            "rack", "must be " + listed(names, " or ", "\"") + did_you_mean(name, names), quoted);
     }
     const Table* const table = table_of(scene);
     if (table == nullptr || table->game != rack->game) {

@@ -23,7 +23,7 @@ const Table& table_named(std::string_view name) {
     if (found != kTables.end()) return *found;
     std::array<std::string_view, kTables.size()> names;
     std::ranges::transform(kTables, names.begin(), &Table::name);
-    throw SceneError("table", "must be " + one_of(names) + did_you_mean(name, names),
+    throw SceneError("table", "must be " + listed(names, " or ", "\"") + did_you_mean(name, names),
                      '"' + std::string(name) + '"');
 }
 

@@ -27,6 +27,13 @@ template <class S>
 class Parabolic : public testing::Test {};
 TYPED_TEST_SUITE(Parabolic, BuiltinScalars, ScalarName);
 
+/// [c] seen from [origin], without rounding.
+template <class S>
+math::WidePoint<S> placed(const math::Vec<S>& origin, const math::Vec<S>& c) {
+    return {math::Wide<S>(math::two_sum(S(origin.x()), S(c.x()))),
+            math::Wide<S>(math::two_sum(S(origin.y()), S(c.y())))};
+}
+
 /// Two balls whose relative motion is that of the case but for the rounding of their own.
 template <class S>
 struct Pair {
@@ -38,11 +45,7 @@ struct Pair {
         const math::Vec<S> place = random.direction<S>();
         const math::Vec<S> drift = random.direction<S>() * math::norm<S>(p.b);
         const math::Vec<S> pull = random.direction<S>() * math::norm<S>(p.a);
-        first = {{math::Wide<S>(math::two_sum(S(place.x()), S(p.c.x()))),
-                  math::Wide<S>(math::two_sum(S(place.y()), S(p.c.y())))},
-                 p.b + drift,
-                 p.a + pull,
-                 p.end};
+        first = {placed<S>(place, p.c), p.b + drift, p.a + pull, p.end};
         second = {math::WidePoint<S>(place), drift, pull, S(S(2) * p.end)};
         seen.b = first.velocity - second.velocity;
         seen.a = first.half_acceleration - second.half_acceleration;
@@ -82,12 +85,7 @@ TYPED_TEST(Parabolic, PointsAndRimsAreBallsAtRest) {
             const auto reference = exact_entry<S>(p);
             if (reference && crosses_without_speed<S>(p, *reference)) continue;
             const math::Vec<S> at(S(3), S(-7));
-            const motion::ParabolicPath<S> path{
-                {math::Wide<S>(math::two_sum(S(p.c.x()), S(at.x()))),
-                 math::Wide<S>(math::two_sum(S(p.c.y()), S(at.y())))},
-                p.b,
-                p.a,
-                p.end};
+            const motion::ParabolicPath<S> path{placed<S>(at, p.c), p.b, p.a, p.end};
             const S t =
                 detect::first_contact<S>(path, p.s, geometry::Point<S>{at}, {}, math::never<S>());
             ASSERT_TRUE(tally.add<S>(t, reference)) << family.name << " " << bits<S>(p);

@@ -2,7 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "osculo/engine/audit/smallest_gap_parabolic.hpp"
-#include "support/random.hpp"
+#include "support/random_arc.hpp"
 
 // The audit's smallest gaps of curved paths: against closed forms, against brute sampling of the
 // same path in 50 digits, and against those of straight paths.
@@ -181,15 +181,7 @@ TEST(SmallestCurvedGap, OfAnArc) {
     for (int seed = 0; seed < 400; ++seed) {
         Random random(static_cast<std::uint64_t>(seed));
         const Path path = random_path(random);
-        const double start = random.uniform<double>(0, 6.28);
-        const double sweep = random.uniform<double>(0.1, 6.2);
-        const bool full = random.below(4) == 0;
-        const geometry::Arc<double> arc{Vec(0, 0),
-                                        random.uniform<double>(0.5, 3),
-                                        Vec(std::cos(start), std::sin(start)),
-                                        Vec(std::cos(start + sweep), std::sin(start + sweep)),
-                                        sweep > 3.141592653589793,
-                                        full};
+        const geometry::Arc<double> arc = support::random_arc(random, 4);
         const double expected = brute(path, [&](const Exact& t) {
             const ExactPlace p = exact_at(path, t);
             if (!arc.covers(Vec(static_cast<double>(p.x), static_cast<double>(p.y)))) {
@@ -201,7 +193,7 @@ TEST(SmallestCurvedGap, OfAnArc) {
         expect_on_path(found, path, seed);
         if (std::isinf(expected)) continue;
         EXPECT_LE(found.gap, expected + 4e-15) << "seed " << seed;
-        if (full) {
+        if (arc.full) {
             EXPECT_NEAR(found.gap, expected, 1e-9) << "seed " << seed;  // |..| has no derivative
             if (expected > -0.499) {
                 EXPECT_NEAR(found.gap, expected, 4e-15) << "seed " << seed;

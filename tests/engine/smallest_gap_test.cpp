@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "support/random.hpp"
+#include "support/random_arc.hpp"
 
 // The closed forms of the audit against what brute sampling of the same path finds.
 namespace osculo::engine {
@@ -103,15 +103,7 @@ TEST(SmallestGap, OfAnArc) {
     for (int seed = 0; seed < 4000; ++seed) {
         Random random(static_cast<std::uint64_t>(seed));
         const Path path = random_path(random);
-        const double start = random.uniform<double>(0, 6.28);
-        const double sweep = random.uniform<double>(0.1, 6.2);
-        const bool full = random.below(8) == 0;
-        const geometry::Arc<double> arc{Vec(0, 0),
-                                        random.uniform<double>(0.5, 3),
-                                        Vec(std::cos(start), std::sin(start)),
-                                        Vec(std::cos(start + sweep), std::sin(start + sweep)),
-                                        sweep > 3.141592653589793,
-                                        full};
+        const geometry::Arc<double> arc = support::random_arc(random, 8);
         const double expected = sampled(path, [&](const Vec& x) {
             return arc.covers(x) ? std::abs(math::norm<double>(x) - arc.radius) - 0.5
                                  : math::never<double>();

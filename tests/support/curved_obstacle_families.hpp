@@ -83,13 +83,6 @@ template <math::Scalar S>
     return path;
 }
 
-template <math::Scalar S>
-[[nodiscard]] math::Vec<S> curved_somewhere(Random& r, const CurvedTraits& traits) {
-    ObstacleTraits same;
-    same.far = traits.far;
-    return somewhere<S>(r, same);
-}
-
 /// Whether the ball starts in the obstacle, where the direction of its motion would decide, not the
 /// gap.
 template <math::Scalar S>
@@ -103,50 +96,27 @@ template <math::Scalar S>
     return math::abs<S>(math::norm<S>(c) - a.obstacle.radius) < a.radius * (S(1) - tolerance);
 }
 
+/// The first case of those that [make_target](r, traits) leads to in which the ball starts outside.
+template <math::Scalar S, class MakeTarget>
+[[nodiscard]] auto curved_case(Random& r, const CurvedTraits& traits, MakeTarget make_target) {
+    for (;;) {
+        const auto to = make_target(r, traits);
+        const CurvedCase<S, std::decay_t<decltype(to.obstacle)>> result{
+            curved_path<S>(r, traits, to.origin, to.target, to.normal, to.radius, to.size),
+            to.radius, to.obstacle};
+        if (!starts_in<S>(result, S(traits.touching ? 2e-4 : 0))) return result;
+    }
+}
+
 template <math::Scalar S>
 [[nodiscard]] CurvedCase<S, geometry::Segment<S>> curved_segment_case(Random& r,
                                                                       const CurvedTraits& traits) {
-    const S size = r.magnitude<S>(-4, 2);
-    const math::Vec<S> from = curved_somewhere<S>(r, traits);
-    const geometry::Segment<S> segment(from, from + r.direction<S>() * size, r.coin());
-    const S radius = size * r.magnitude<S>(-6, 0);
-    const S along = traits.at_an_end
-                        ? S(segment.length * ((r.coin() ? S(0) : S(1)) + small_number<S>(r, 1, 17)))
-                        : S(segment.length * r.uniform<S>(S(-0.2), S(1.2)));
-    const math::Vec<S> normal = r.below(4) == 0 ? math::Vec<S>(-segment.normal) : segment.normal;
-    CurvedCase<S, geometry::Segment<S>> result{
-        curved_path<S>(r, traits, segment.from, segment.tangent * along, normal, radius, size),
-        radius, segment};
-    return starts_in<S>(result, S(traits.touching ? 2e-4 : 0)) ? curved_segment_case<S>(r, traits)
-                                                               : result;
+    return curved_case<S>(r, traits, segment_target<S, CurvedTraits>);
 }
-
-/// Full, reflex and other arcs, some smaller than the ball, hit from outside or inside.
 template <math::Scalar S>
 [[nodiscard]] CurvedCase<S, geometry::Arc<S>> curved_arc_case(Random& r,
                                                               const CurvedTraits& traits) {
-    geometry::Arc<S> arc;
-    arc.center = curved_somewhere<S>(r, traits);
-    arc.radius = r.magnitude<S>(-4, 2);
-    arc.start = r.direction<S>();
-    arc.end = r.direction<S>();
-    arc.full = r.below(8) == 0;
-    arc.reflex = math::accurate_cross<S>(arc.start, arc.end) < S(0);
-    const S radius = arc.radius * r.magnitude<S>(-5, 0);
-    math::Vec<S> out = r.direction<S>();
-    if (traits.at_an_end) {
-        const math::Vec<S>& end = r.coin() ? arc.start : arc.end;
-        out = end + math::Vec<S>(-end.y(), end.x()) * small_number<S>(r, 1, 17);
-        out /= math::norm<S>(out);
-    }
-    // From inside only where the ball has room there.
-    const bool inside = radius < arc.radius && r.coin();
-    CurvedCase<S, geometry::Arc<S>> result{
-        curved_path<S>(r, traits, arc.center, out * arc.radius, inside ? math::Vec<S>(-out) : out,
-                       radius, arc.radius),
-        radius, arc};
-    return starts_in<S>(result, S(traits.touching ? 2e-4 : 0)) ? curved_arc_case<S>(r, traits)
-                                                               : result;
+    return curved_case<S>(r, traits, arc_target<S, CurvedTraits>);
 }
 
 }  // namespace osculo::support

@@ -91,31 +91,39 @@ template <math::Scalar S>
 }
 
 template <math::Scalar S>
-[[nodiscard]] math::Vec<S> somewhere(Random& r, const ObstacleTraits& traits) {
-    const S far = traits.far ? S(1e8) : S(0);
+[[nodiscard]] math::Vec<S> somewhere(Random& r, bool is_far) {
+    const S far = is_far ? S(1e8) : S(0);
     return {far + r.signed_unit<S>(), r.signed_unit<S>() - far};
 }
 
-template <math::Scalar S>
-[[nodiscard]] ObstacleCase<S, geometry::Segment<S>> segment_case(Random& r,
-                                                                 const ObstacleTraits& traits) {
+/// An obstacle, and where a ball is to touch it: at origin + target, on the side of the normal.
+template <math::Scalar S, class Obstacle>
+struct Target {
+    Obstacle obstacle;
+    S radius;  ///< of the ball
+    math::Vec<S> origin, target, normal;
+    S size;  ///< of the obstacle
+};
+
+/// [Traits]: of a family, straight or curved.
+template <math::Scalar S, class Traits>
+[[nodiscard]] Target<S, geometry::Segment<S>> segment_target(Random& r, const Traits& traits) {
     const S size = r.magnitude<S>(-4, 2);
-    const math::Vec<S> from = somewhere<S>(r, traits);
+    const math::Vec<S> from = somewhere<S>(r, traits.far);
     const geometry::Segment<S> segment(from, from + r.direction<S>() * size, r.coin());
     const S radius = size * r.magnitude<S>(-6, 0);
     const S along = traits.at_an_end
                         ? S(segment.length * ((r.coin() ? S(0) : S(1)) + small_number<S>(r, 1, 17)))
                         : S(segment.length * r.uniform<S>(S(-0.2), S(1.2)));
     const math::Vec<S> normal = r.below(4) == 0 ? math::Vec<S>(-segment.normal) : segment.normal;
-    return {path_towards<S>(r, traits, segment.from, segment.tangent * along, normal, radius, size),
-            radius, segment};
+    return {segment, radius, segment.from, segment.tangent * along, normal, size};
 }
 
 /// Full, reflex and other arcs, some smaller than the ball, hit from outside or inside.
-template <math::Scalar S>
-[[nodiscard]] ObstacleCase<S, geometry::Arc<S>> arc_case(Random& r, const ObstacleTraits& traits) {
+template <math::Scalar S, class Traits>
+[[nodiscard]] Target<S, geometry::Arc<S>> arc_target(Random& r, const Traits& traits) {
     geometry::Arc<S> arc;
-    arc.center = somewhere<S>(r, traits);
+    arc.center = somewhere<S>(r, traits.far);
     arc.radius = r.magnitude<S>(-4, 2);
     arc.start = r.direction<S>();
     arc.end = r.direction<S>();
@@ -130,9 +138,24 @@ template <math::Scalar S>
     }
     // From inside only where the ball has room there.
     const bool inside = radius < arc.radius && r.coin();
-    return {path_towards<S>(r, traits, arc.center, out * arc.radius,
-                            inside ? math::Vec<S>(-out) : out, radius, arc.radius),
-            radius, arc};
+    return {arc,       radius, arc.center, out * arc.radius, inside ? math::Vec<S>(-out) : out,
+            arc.radius};
+}
+
+template <math::Scalar S, class Obstacle>
+[[nodiscard]] ObstacleCase<S, Obstacle> straight_case(Random& r, const ObstacleTraits& traits,
+                                                      const Target<S, Obstacle>& to) {
+    return {path_towards<S>(r, traits, to.origin, to.target, to.normal, to.radius, to.size),
+            to.radius, to.obstacle};
+}
+template <math::Scalar S>
+[[nodiscard]] ObstacleCase<S, geometry::Segment<S>> segment_case(Random& r,
+                                                                 const ObstacleTraits& traits) {
+    return straight_case<S>(r, traits, segment_target<S>(r, traits));
+}
+template <math::Scalar S>
+[[nodiscard]] ObstacleCase<S, geometry::Arc<S>> arc_case(Random& r, const ObstacleTraits& traits) {
+    return straight_case<S>(r, traits, arc_target<S>(r, traits));
 }
 
 }  // namespace osculo::support

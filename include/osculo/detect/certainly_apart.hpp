@@ -6,6 +6,7 @@
 #include "osculo/geometry/point.hpp"
 #include "osculo/geometry/rim.hpp"
 #include "osculo/geometry/segment.hpp"
+#include "osculo/math/certainly_outside.hpp"
 #include "osculo/math/error_bounds.hpp"
 #include "osculo/motion/path.hpp"
 
@@ -34,39 +35,19 @@ struct RoundedPath {
                 until};
     }
 
-    /// Whether it stays farther than s from the origin: across its first direction or along its
-    /// first place, in which its distance is a linear function of t^2 and a quadratic one of t.
     [[nodiscard]] bool stays_outside(const S& s) const {
-        const S slack = S(2 * math::kRejectionSlack) * math::epsilon<S>();
-        const S ss = s * s;
-        const S curve = math::norm1<S>(a) * until * until;
-        const S across = math::cross<S>(b, c);
-        const S across_end = across + math::cross<S>(b, a) * until * until;
-        if ((across > S(0)) == (across_end > S(0))) {
-            const S least = std::min<S>(math::abs<S>(across), math::abs<S>(across_end)) -
-                            slack * (speed * (place + curve));
-            const S speed_blur = slack * speed;
-            if (least > S(0) &&
-                least * least > ss * (math::dot<S>(b, b) + speed_blur * speed) * (S(1) + slack)) {
-                return true;
-            }
-        }
-        const S cc = math::dot<S>(c, c);
-        const S cb = math::dot<S>(c, b);
-        const S ca = math::dot<S>(c, a);
-        S least = std::min<S>(cc, cc + until * (cb + until * ca));
-        if (ca > S(0) && cb < S(0) && -cb < S(2) * ca * until) {
-            least = std::min<S>(least, cc - cb * cb / (S(4) * ca));
-        }
-        least -= slack * (math::norm1<S>(c) * (place + speed * until + curve));
-        return least > S(0) && least * least > ss * cc * (S(1) + slack);
+        return math::certainly_outside<S>(c, b, a, s, until, place, speed,
+                                          S(2 * math::kRejectionSlack) * math::epsilon<S>());
     }
 };
 
-/// The time in which something can happen.
+/// Whether a ball on that path stays farther than [reach] from a point until [horizon].
 template <math::Scalar S>
-[[nodiscard]] S limited(const motion::ParabolicPath<S>& path, const S& horizon) {
-    return std::min<S>(path.end, horizon);
+[[nodiscard]] bool stays_outside(const motion::ParabolicPath<S>& path, const math::Vec<S>& point,
+                                 const S& reach, const S& horizon) {
+    const S until = std::min<S>(path.end, horizon);
+    return math::is_finite<S>(until) &&
+           RoundedPath<S>::from(path, point, until).stays_outside(reach);
 }
 
 }  // namespace detail
@@ -105,27 +86,21 @@ template <math::Scalar S>
 template <math::Scalar S>
 [[nodiscard]] bool certainly_apart(const motion::ParabolicPath<S>& path, const S& radius,
                                    const geometry::Point<S>& point, const S& horizon) {
-    const S until = detail::limited<S>(path, horizon);
-    return math::is_finite<S>(until) &&
-           detail::RoundedPath<S>::from(path, point.at, until).stays_outside(radius);
+    return detail::stays_outside<S>(path, point.at, radius, horizon);
 }
 
 template <math::Scalar S>
 [[nodiscard]] bool certainly_apart(const motion::ParabolicPath<S>& path, const S& /*radius*/,
                                    const geometry::Rim<S>& rim, const S& horizon) {
-    const S until = detail::limited<S>(path, horizon);
-    return math::is_finite<S>(until) &&
-           detail::RoundedPath<S>::from(path, rim.center, until).stays_outside(rim.radius);
+    return detail::stays_outside<S>(path, rim.center, rim.radius, horizon);
 }
 
 /// Outside of the arc's circle only.
 template <math::Scalar S>
 [[nodiscard]] bool certainly_apart(const motion::ParabolicPath<S>& path, const S& radius,
                                    const geometry::Arc<S>& arc, const S& horizon) {
-    const S until = detail::limited<S>(path, horizon);
     const S reach = (arc.radius + radius) * (S(1) + S(math::kRejectionSlack) * math::epsilon<S>());
-    return math::is_finite<S>(until) &&
-           detail::RoundedPath<S>::from(path, arc.center, until).stays_outside(reach);
+    return detail::stays_outside<S>(path, arc.center, reach, horizon);
 }
 
 /// On one side of the segment's line, or beyond one of its ends: the parabola lies between its ends
@@ -133,7 +108,7 @@ template <math::Scalar S>
 template <math::Scalar S>
 [[nodiscard]] bool certainly_apart(const motion::ParabolicPath<S>& path, const S& radius,
                                    const geometry::Segment<S>& segment, const S& horizon) {
-    const S until = detail::limited<S>(path, horizon);
+    const S until = std::min<S>(path.end, horizon);
     if (!math::is_finite<S>(until)) return false;
     const auto p = detail::RoundedPath<S>::from(path, segment.from, until);
     const math::Vec<S> corner = p.c + (until / S(2)) * p.b;

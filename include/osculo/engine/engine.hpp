@@ -102,6 +102,7 @@ public:
         recorder_.clear();
         now_ = Instant{S(0)};
         event_count_ = prediction_count_ = 0;
+        for (BallIndex i = 0; i < scene_.bodies.size(); ++i) queue_.update(i, Scheduled{});
         start();
     }
 
@@ -180,11 +181,9 @@ template <class Type>
 void Engine<Type>::start() {
     swept_.clear();
     swept_.reserve(scene_.bodies.size());
-    for (BallIndex i = 0; i < scene_.bodies.size(); ++i) {
-        BodyType& body = scene_.bodies[i];
+    for (BodyType& body : scene_.bodies) {
         begin_motion(body);
         swept_.push_back(swept_box(body, Type::Motion::template path<S>(body.state), Scheduled{}));
-        queue_.update(i, Scheduled{});
     }
     // Two balls that stand never meet, and one that moves looks at all that stand.
     for (BallIndex i = 0; i < scene_.bodies.size(); ++i) {

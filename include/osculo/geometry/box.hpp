@@ -53,16 +53,14 @@ template <math::Scalar S>
         .grown(blur);
 }
 template <math::Scalar S>
-[[nodiscard]] Box<S> bounding_box(const Arc<S>& arc) {
-    const S blur =
-        S(math::kRejectionSlack) * math::epsilon<S>() * (math::norm1<S>(arc.center) + arc.radius);
-    return Box<S>::around(arc.center, arc.center).grown(S(arc.radius + blur));
-}
-template <math::Scalar S>
 [[nodiscard]] Box<S> bounding_box(const Rim<S>& rim) {
     const S blur =
         S(math::kRejectionSlack) * math::epsilon<S>() * (math::norm1<S>(rim.center) + rim.radius);
     return Box<S>::around(rim.center, rim.center).grown(S(rim.radius + blur));
+}
+template <math::Scalar S>
+[[nodiscard]] Box<S> bounding_box(const Arc<S>& arc) {
+    return bounding_box(Rim<S>{arc.center, arc.radius});  // its whole circle
 }
 
 }  // namespace osculo::geometry

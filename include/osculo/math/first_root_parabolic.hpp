@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 
+#include "osculo/math/certainly_outside.hpp"
 #include "osculo/math/first_root.hpp"
 #include "osculo/math/polynomial.hpp"
 
@@ -155,32 +156,11 @@ struct ParabolicApproach {
 
 namespace detail {
 
-/// Certain rejections without a root, on the safe side of rounding: no contact in [0, end].
+/// Certain rejection without a root, on the safe side of rounding: no contact in [0, end].
 template <Scalar S>
 [[nodiscard]] bool certainly_apart(const ParabolicApproach<S>& p, const S& end) {
-    const S slack = S(kRejectionSlack) * epsilon<S>();
-    const S ss = p.s * p.s;
-    const S cc = dot<S>(p.c, p.c);
-    const S c1 = norm1<S>(p.c);
-    const S b1 = norm1<S>(p.b);
-    const S a1 = norm1<S>(p.a);
-    // Across b: the part of d there is linear in t^2, so smallest at an end.
-    const S across = cross<S>(p.b, p.c);
-    const S across_end = across + cross<S>(p.b, p.a) * end * end;
-    if ((across > S(0)) == (across_end > S(0))) {
-        const S least =
-            std::min<S>(abs<S>(across), abs<S>(across_end)) - slack * (b1 * (c1 + a1 * end * end));
-        if (least > S(0) && least * least > ss * dot<S>(p.b, p.b) * (S(1) + slack)) return true;
-    }
-    // Along c: |d| >= d.c / |c|, a quadratic in t.
-    const S cb = dot<S>(p.c, p.b);
-    const S ca = dot<S>(p.c, p.a);
-    S least = std::min<S>(cc, cc + end * (cb + end * ca));
-    if (ca > S(0) && cb < S(0) && -cb < S(2) * ca * end) {
-        least = std::min<S>(least, cc - cb * cb / (S(4) * ca));
-    }
-    least -= slack * (cc + c1 * end * (b1 + end * a1));
-    return least > S(0) && least * least > ss * cc * (S(1) + slack);
+    return certainly_outside<S>(p.c, p.b, p.a, p.s, end, norm1<S>(p.c), norm1<S>(p.b),
+                                S(kRejectionSlack) * epsilon<S>());
 }
 
 /// The root of Q between from and to, where Q changes its sign once, [falling] or rising: Newton's

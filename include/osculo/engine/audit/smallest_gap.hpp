@@ -96,8 +96,9 @@ template <math::Scalar S>
     return {length_beyond<S>(path.at(t), reach), t};
 }
 
-template <math::Scalar S>
-[[nodiscard]] GapAt<S> smallest_gap(const RelativePath<S>& path, const S& radius,
+/// The same for a path of either kind.
+template <template <class> class Path, math::Scalar S>
+[[nodiscard]] GapAt<S> smallest_gap(const Path<S>& path, const S& radius,
                                     const geometry::Point<S>&) {
     return smallest_distance_beyond<S>(path, math::Wide<S>(radius));
 }
@@ -163,9 +164,21 @@ template <math::Scalar S>
     return smallest_gap_of_stretch<S>(first, last, from, to, radius, segment.one_sided);
 }
 
-/// A ball and the circular part of an arc: | |x| - arc radius | - radius in directions within the
-/// arc's angles. That is smallest at an end of the path, at the point closest to the centre, on the
-/// circle, or where the angles begin or end.
+/// Keeps the gap of a ball and the circular part of an arc at t, | |x| - arc radius | - radius, if
+/// the direction is within the arc's angles; on a [border] of these rounding would decide, were it
+/// asked whether the arc covers it.
+template <template <class> class Path, math::Scalar S>
+void consider_arc(const Path<S>& path, const S& radius, const geometry::Arc<S>& arc,
+                  const math::Wide<S>& t, const math::Vec<S>* border, GapAt<S>& smallest) {
+    const math::WidePoint<S> x = path.at(t);
+    const math::Vec<S> direction = x.rounded();
+    const bool counts = border ? math::dot<S>(*border, direction) > S(0) : arc.covers(direction);
+    if (!counts) return;
+    smallest.keep_smaller(math::abs<S>(length_beyond<S>(x, math::Wide<S>(arc.radius))) - radius, t);
+}
+
+/// A ball and the circular part of an arc. The gap is smallest at an end of the path, at the point
+/// closest to the centre, on the circle, or where the angles begin or end.
 template <math::Scalar S>
 [[nodiscard]] GapAt<S> smallest_gap(const RelativePath<S>& path, const S& radius,
                                     const geometry::Arc<S>& arc) {
@@ -174,13 +187,7 @@ template <math::Scalar S>
     GapAt<S> smallest;
     const auto consider = [&](const Wide& t, const math::Vec<S>* border = nullptr) {
         if (t < zero || path.time < t) return;
-        const math::WidePoint<S> x = path.at(t);
-        const math::Vec<S> direction = x.rounded();
-        // On a border rounding would decide, were it asked whether the arc covers the direction.
-        const bool counts =
-            border ? math::dot<S>(*border, direction) > S(0) : arc.covers(direction);
-        if (!counts) return;
-        smallest.keep_smaller(math::abs<S>(length_beyond<S>(x, Wide(arc.radius))) - radius, t);
+        consider_arc(path, radius, arc, t, border, smallest);
     };
     consider(zero);
     consider(path.time);

@@ -18,12 +18,6 @@ template <math::Scalar S>
     return smallest;
 }
 
-template <math::Scalar S>
-[[nodiscard]] GapAt<S> smallest_gap(const RelativeParabola<S>& path, const S& radius,
-                                    const geometry::Point<S>&) {
-    return smallest_distance_beyond<S>(path, math::Wide<S>(radius));
-}
-
 /// A ball and the straight part of a segment: the path falls into stretches in which the foot of
 /// the perpendicular stays between the ends or beside them, and the distance grows or shrinks.
 template <math::Scalar S>
@@ -65,13 +59,7 @@ template <math::Scalar S>
     using Wide = math::Wide<S>;
     GapAt<S> smallest;
     const auto consider = [&](const Wide& t, const math::Vec<S>* border = nullptr) {
-        const math::WidePoint<S> x = path.at(t);
-        const math::Vec<S> direction = x.rounded();
-        // On a border rounding would decide, were it asked whether the arc covers the direction.
-        const bool counts =
-            border ? math::dot<S>(*border, direction) > S(0) : arc.covers(direction);
-        if (!counts) return;
-        smallest.keep_smaller(math::abs<S>(length_beyond<S>(x, Wide(arc.radius))) - radius, t);
+        consider_arc(path, radius, arc, t, border, smallest);
     };
     consider(Wide(S(0)));
     consider(path.time);
