@@ -56,6 +56,7 @@ int main_with(int argc, char** argv) {
     add_render(app);
     add_check(app);
     add_presets(app);
+    add_batch(app, exit_code);
 
     try {
         app.parse(argc, argv);
