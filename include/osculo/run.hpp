@@ -7,6 +7,7 @@
 #include <string_view>
 #include <vector>
 
+#include "osculo/certificate.hpp"
 #include "osculo/scene.hpp"
 #include "osculo/status.hpp"
 
@@ -164,11 +165,12 @@ struct Run {
     double time = 0;                ///< simulated time at the end [s]
     std::uint64_t event_count = 0;  ///< events, whether recorded or not
     EngineInfo engine;
-    std::vector<std::string> points;  ///< names of the end points, e.g. "rail-3.from"
-    std::vector<Event> events;        ///< in order of time; empty unless recorded
-    std::vector<Piece> pieces;        ///< in order of their end; empty unless recorded
-    std::vector<FinalBall> balls;     ///< in the scene's order
-    std::optional<Audit> audit;       ///< if asked for
+    std::vector<std::string> points;         ///< names of the end points, e.g. "rail-3.from"
+    std::vector<Event> events;               ///< in order of time; empty unless recorded
+    std::vector<Piece> pieces;               ///< in order of their end; empty unless recorded
+    std::vector<FinalBall> balls;            ///< in the scene's order
+    std::optional<Audit> audit;              ///< if asked for
+    std::optional<Certificate> certificate;  ///< if asked for
 
     /// The ids of what takes part in the event: two of them.
     [[nodiscard]] std::array<std::string, 2> ids(const Event& event) const;

@@ -1,5 +1,6 @@
 #include <unordered_map>
 
+#include "io/certificate.hpp"
 #include "io/outcome.hpp"
 #include "io/read.hpp"
 #include "osculo/io.hpp"
@@ -207,8 +208,9 @@ Status read_status(const Value& value) {
 
 Run read_run(const Value& value) {
     static constexpr Names kSchemas{kRunSchema};
-    static constexpr Names kKeys{"schema",  "status", "time",   "event_count", "engine", "audit",
-                                 "outcome", "balls",  "points", "events",      "pieces", "scene"};
+    static constexpr Names kKeys{"schema", "status",      "time",    "event_count", "engine",
+                                 "audit",  "certificate", "outcome", "balls",       "points",
+                                 "events", "pieces",      "scene"};
     if (const auto schema = value.member("schema")) choice(*schema, kSchemas);
     const Fields fields(value, kKeys);
     static_cast<void>(fields.require("schema"));
@@ -220,6 +222,9 @@ Run read_run(const Value& value) {
     run.event_count = fields.require("event_count").natural();
     run.engine = read_engine(fields.require("engine"));
     if (const auto audit = fields.find("audit")) run.audit = read_audit(*audit);
+    if (const auto certificate = fields.find("certificate")) {
+        run.certificate = read_certificate(*certificate, run);
+    }
     fields.require("points").for_each(
         [&](const Value& name) { run.points.emplace_back(name.text()); });
 

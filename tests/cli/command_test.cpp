@@ -102,6 +102,29 @@ TEST(Run, TakesItsOptions) {
     }
 }
 
+TEST(Run, CertifiesWhatCanBeTrusted) {
+    const Result result = osculo({"run", "preset:carom", "--certify"});
+    EXPECT_EQ(result.code, 0) << result.out;
+    EXPECT_TRUE(
+        contains(result.out, " events, by quad and extended\n            digits at least: "))
+        << result.out;
+    EXPECT_TRUE(contains(result.out, "\n  digits    "));
+    EXPECT_FALSE(contains(result.out, "uncertain"));
+    const Result early =
+        osculo({"run", "preset:gas", "--certify", "--time", "1e9", "--events", "400"});
+    EXPECT_EQ(early.code, 1) << early.out;  // that it ended early matters more
+    const Result lost = osculo({"run", "preset:gas", "--certify", "-o", "-"});
+    EXPECT_EQ(lost.code, 5) << lost.err;
+    EXPECT_TRUE(contains(lost.err, "first uncertain: event ")) << lost.err;
+    const osculo::Run run = io::run_from_json(lost.out);
+    ASSERT_TRUE(run.certificate.has_value());
+    EXPECT_FALSE(run.certificate->certain());
+    EXPECT_EQ(run_to_json(run), lost.out);
+    const Result highest = osculo({"run", "preset:carom", "--certify", "--precision", "100"});
+    EXPECT_EQ(highest.code, 3);
+    EXPECT_TRUE(contains(highest.err, "must be below 100 digits")) << highest.err;
+}
+
 TEST(Run, ExitCodeSaysHowItEnded) {
     EXPECT_EQ(osculo({"run", "preset:gas", "--time", "0.01"}).code, 0);
     const Result early = osculo({"run", "preset:gas", "--events", "10"});
