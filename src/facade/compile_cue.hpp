@@ -5,6 +5,9 @@
 
 namespace osculo::facade {
 
+/// Largest azimuth of a cue, in size [rad]: as for the angles of arcs.
+inline constexpr double kMostAzimuth = 100;
+
 /// The strike as the impact law takes it.
 template <math::Scalar S>
 [[nodiscard]] impact::CueStrike<S> compile_cue(const Cue& cue) {

@@ -50,7 +50,8 @@ void validate_cue(const Scene& scene) {
     const auto require = [](bool holds, const char* path, const char* rule, double value) {
         if (!holds) throw SceneError(path, rule, number_text(value));
     };
-    require(std::isfinite(cue.azimuth), "cue.azimuth", "must be finite", cue.azimuth);
+    require(std::abs(cue.azimuth) <= kMostAzimuth, "cue.azimuth", "must be from -100 to 100 rad",
+            cue.azimuth);
     require(cue.speed <= 1e150, "cue.speed", "must be at most 1e150", cue.speed);
     require(cue.mass > 0 && cue.mass <= 1e100, "cue.mass", "must be > 0 and finite", cue.mass);
     require(cue.end_mass >= 0 && cue.end_mass <= 1e100, "cue.end_mass", "must be >= 0 and finite",

@@ -142,6 +142,11 @@ TEST(SceneErrors, UnknownLawsAndNames) {
          "but it is a law with friction"},
         {with(R"("cue": {"ball": "a", "speed": 1, "azimuth": 0})"),
          "cue: needs balls with spin, that is, the motion law cloth, but it is a cue"},
+        // Found by a fuzzer: the search for the elevation did not end.
+        {with(R"("motion": {"law": "cloth"},
+                 "balls": [{"id": "a", "mass": 1, "radius": 1, "position": [0, 0]}],
+                 "cue": {"ball": "a", "speed": 1, "azimuth": 1e300})"),
+         "cue.azimuth: must be from -100 to 100 rad, but it is 1e+300"},
         {with(R"("impacts": {"simultaneous": "symmetric"})"),
          "impacts.simultaneous: must be sequential (symmetric is not available yet), "
          "but it is \"symmetric\""},
