@@ -57,6 +57,7 @@ int main_with(int argc, char** argv) {
     add_replay(app);
     add_check(app);
     add_presets(app);
+    add_batch(app, exit_code);
 
     try {
         app.parse(argc, argv);

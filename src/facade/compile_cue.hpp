@@ -5,8 +5,8 @@
 
 namespace osculo::facade {
 
-/// Largest azimuth of a cue, in size [rad]: as for the angles of arcs.
-inline constexpr double kMostAzimuth = 100;
+/// Largest azimuth of a cue, in size [rad]: sin_cos() takes no more.
+inline constexpr double kLargestAzimuth = 1e12;
 
 /// The strike as the impact law takes it.
 template <math::Scalar S>

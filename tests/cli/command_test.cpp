@@ -21,8 +21,8 @@ TEST(Help, IsThereForEveryCommandWithAnExample) {
     const Result help = osculo({"--help"});
     EXPECT_EQ(help.code, 0);
     EXPECT_EQ(help.err, "");
-    for (const char* command :
-         {"run", "render", "replay", "validate", "explain", "expand", "presets"}) {
+    for (const char* command : {"run", "render", "replay", "validate", "explain", "expand",
+                                "presets", "batch", "merge"}) {
         EXPECT_TRUE(contains(help.out, std::string("\n  ") + command)) << command;
         const Result own = osculo({command, "--help"});
         EXPECT_EQ(own.code, 0);
