@@ -30,8 +30,8 @@ template <math::Scalar S, class Obstacle>
                                     const Obstacle& obstacle,
                                     const math::ContactHistory<S>& history, const S& horizon) {
     const motion::LinearPath<S> line{path.position, path.velocity};
-    return time_on<S>(path, first_contact<S>(line, radius, obstacle, history,
-                                             std::min<S>(horizon, path.longest)));
+    return time_on<S>(path, detect::first_contact<S>(line, radius, obstacle, history,
+                                                     std::min<S>(horizon, path.longest)));
 }
 
 }  // namespace detail

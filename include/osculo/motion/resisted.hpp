@@ -68,9 +68,10 @@ struct Resisted {
     static constexpr bool kTransitions = true;
     static constexpr bool kSpin = false;
 
-    /// Nothing that all balls share.
     template <math::Scalar S>
-    struct Parameters {};
+    struct Parameters {
+        S largest{0};  ///< what any ball's deceleration can be at the most [m/s^2]: for audits
+    };
 
     template <math::Scalar S>
     struct State {
