@@ -54,6 +54,26 @@ TEST(Html, ShowsEveryBallWhereItIs) {
     }
 }
 
+TEST(Html, ShowsOtherPathsByQuadratics) {
+    Scene scene = presets::make("carom");
+    scene.motion = ResistedMotion{0.05, 0.3, 0.4, {}};
+    const osculo::Run run = simulate(scene);
+    const json data = data_of(to_html(run));
+    ASSERT_GT(run.event_count, 3U);
+    double worst = 0;
+    for (int step = 0; step <= 200; ++step) {
+        const double t = run.time * step / 200;
+        for (std::uint32_t b = 0; b < run.balls.size(); ++b) {
+            const auto state = run.at(b, t);
+            if (!state) continue;
+            const Point place = shown(data, b, t);
+            worst = std::max({worst, std::abs(place.x - state->position.x),
+                              std::abs(place.y - state->position.y)});
+        }
+    }
+    EXPECT_LT(worst, 1e-4);  // a tenth of a pixel of a table drawn 1200 pixels wide
+}
+
 TEST(Html, HasANodeForEveryBallAndSaysItsScale) {
     const osculo::Run run = simulate(presets::make("carom"));
     const std::string page = to_html(run, 800);

@@ -56,6 +56,37 @@ bool is_finite(Point point) {
     return std::isfinite(point.x) && std::isfinite(point.y);
 }
 
+bool is_quadratic(const Piece& piece) {
+    return piece.phase != Phase::resisted;
+}
+
+// The page knows quadratics only: another piece is shown as so many of them, which begin where the
+// ball is, as fast as it is, and end where it is.
+void append_quadratics(std::vector<Piece>& pieces, const Piece& piece, double radius) {
+    constexpr int kCount = 16;
+    if (is_quadratic(piece)) {
+        pieces.push_back(piece);
+        return;
+    }
+    const double step = (piece.to - piece.from) / kCount;
+    BallState begin = state_in(piece, radius, 0);
+    for (int k = 0; k < kCount && step > 0; ++k) {
+        const BallState end = state_in(piece, radius, (k + 1) * step);
+        const auto acceleration = [step](double from, double to, double velocity) {
+            return 2 * (to - from - velocity * step) / (step * step);
+        };
+        Piece part = piece;
+        part.from = piece.from + k * step;
+        part.to = k + 1 < kCount ? part.from + step : piece.to;
+        part.position = begin.position;
+        part.velocity = begin.velocity;
+        part.acceleration = {acceleration(begin.position.x, end.position.x, begin.velocity.x),
+                             acceleration(begin.position.y, end.position.y, begin.velocity.y)};
+        pieces.push_back(part);
+        begin = end;
+    }
+}
+
 // [from, to, x, y, vx, vy, ax, ay]
 void write_piece(JsonText& json, const Piece& piece) {
     json.raw("[");
@@ -71,10 +102,11 @@ void write_piece(JsonText& json, const Piece& piece) {
 }
 
 std::string data_of(const Run& run, const View& view) {
-    std::vector<std::vector<const Piece*>> pieces(run.scene.balls.size());
+    std::vector<std::vector<Piece>> pieces(run.scene.balls.size());
     for (const Piece& piece : run.pieces) {
         if (!is_finite(piece.position) || !is_finite(piece.velocity)) continue;
-        if (std::isfinite(piece.to)) pieces[piece.ball].push_back(&piece);
+        if (!std::isfinite(piece.to)) continue;
+        append_quadratics(pieces[piece.ball], piece, run.scene.balls[piece.ball].radius);
     }
     JsonText json;
     json.raw("{\"end\": ");
@@ -86,11 +118,11 @@ std::string data_of(const Run& run, const View& view) {
     json.raw(", \"origin\": ");
     json.vector(view.origin());
     json.raw(", \"pieces\": ");
-    json.lines(pieces, "", [&](const std::vector<const Piece*>& of_ball) {
+    json.lines(pieces, "", [&](const std::vector<Piece>& of_ball) {
         json.raw("[");
-        for (const Piece* piece : of_ball) {
-            if (piece != of_ball.front()) json.raw(",");
-            write_piece(json, *piece);
+        for (const Piece& piece : of_ball) {
+            if (&piece != &of_ball.front()) json.raw(",");
+            write_piece(json, piece);
         }
         json.raw("]");
     });
