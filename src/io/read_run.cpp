@@ -1,5 +1,6 @@
 #include <unordered_map>
 
+#include "io/certificate.hpp"
 #include "io/outcome.hpp"
 #include "io/read.hpp"
 #include "osculo/io.hpp"
@@ -77,11 +78,11 @@ std::array<BallState, 2> read_states(const Value& value, EventKind kind) {
 }
 
 Phase read_phase(const Value& value) {
-    static constexpr Phase kPhases[]{Phase::uniform, Phase::rest, Phase::spinning, Phase::rolling,
-                                     Phase::sliding};
+    static constexpr Phase kPhases[]{Phase::uniform, Phase::rest,    Phase::spinning,
+                                     Phase::rolling, Phase::sliding, Phase::resisted};
     static constexpr Names kPhaseNames{to_string(kPhases[0]), to_string(kPhases[1]),
                                        to_string(kPhases[2]), to_string(kPhases[3]),
-                                       to_string(kPhases[4])};
+                                       to_string(kPhases[4]), to_string(kPhases[5])};
     return kPhases[choice(value, kPhaseNames)];
 }
 
@@ -125,9 +126,9 @@ Event read_event(const Value& value, const Indices& indices) {
 }
 
 Piece read_piece(const Value& value, const Indices& indices) {
-    static constexpr Names kKeys{"ball",     "from", "from_low",     "to",
-                                 "to_low",   "law",  "position",     "position_low",
-                                 "velocity", "spin", "acceleration", "spin_rate"};
+    static constexpr Names kKeys{"ball",         "from",      "from_low",     "to",       "to_low",
+                                 "law",          "position",  "position_low", "velocity", "spin",
+                                 "acceleration", "spin_rate", "resistance"};
     const Fields fields(value, kKeys);
     Piece piece;
     piece.ball = indices.balls(fields.require("ball"));
@@ -142,6 +143,7 @@ Piece read_piece(const Value& value, const Indices& indices) {
     if (const auto a = fields.find("acceleration")) piece.acceleration = a->point();
     if (const auto spin = fields.find("spin")) piece.spin = read_spin(*spin);
     if (const auto rate = fields.find("spin_rate")) piece.spin_rate = read_spin(*rate);
+    if (const auto law = fields.find("resistance")) piece.resistance = law->numbers<3>();
     return piece;
 }
 
@@ -207,8 +209,9 @@ Status read_status(const Value& value) {
 
 Run read_run(const Value& value) {
     static constexpr Names kSchemas{kRunSchema};
-    static constexpr Names kKeys{"schema",  "status", "time",   "event_count", "engine", "audit",
-                                 "outcome", "balls",  "points", "events",      "pieces", "scene"};
+    static constexpr Names kKeys{"schema", "status",      "time",    "event_count", "engine",
+                                 "audit",  "certificate", "outcome", "balls",       "points",
+                                 "events", "pieces",      "scene"};
     if (const auto schema = value.member("schema")) choice(*schema, kSchemas);
     const Fields fields(value, kKeys);
     static_cast<void>(fields.require("schema"));
@@ -220,6 +223,9 @@ Run read_run(const Value& value) {
     run.event_count = fields.require("event_count").natural();
     run.engine = read_engine(fields.require("engine"));
     if (const auto audit = fields.find("audit")) run.audit = read_audit(*audit);
+    if (const auto certificate = fields.find("certificate")) {
+        run.certificate = read_certificate(*certificate, run);
+    }
     fields.require("points").for_each(
         [&](const Value& name) { run.points.emplace_back(name.text()); });
 

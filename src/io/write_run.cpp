@@ -1,3 +1,4 @@
+#include "io/certificate.hpp"
 #include "io/json_text.hpp"
 #include "io/members.hpp"
 #include "io/outcome.hpp"
@@ -56,6 +57,7 @@ void write_piece(JsonText& json, const Run& run, const Piece& piece) {
     members.rare("acceleration", piece.acceleration);
     members.rare("spin", piece.spin);
     members.rare("spin_rate", piece.spin_rate);
+    members.rare("resistance", piece.resistance);
     members.close();
 }
 
@@ -71,8 +73,7 @@ void write_ball(JsonText& json, const Run& run, const FinalBall& ball) {
 
 void write_audit(JsonText& json, const Audit& audit) {
     Members members(json);
-    members.key("clean");
-    json.boolean(audit.clean);
+    members.boolean("clean", audit.clean);
     members.number("energy_initial", audit.energy_initial);
     members.number("energy_final", audit.energy_final);
     members.number("largest_energy_gain", audit.largest_energy_gain);
@@ -112,6 +113,10 @@ std::string run_to_json(const Run& run) {
     if (run.audit) {
         key("audit");
         write_audit(json, *run.audit);
+    }
+    if (run.certificate) {
+        key("certificate");
+        write_certificate(json, run, *run.certificate);
     }
     if (const auto outcome = outcome_of(run)) {
         key("outcome");

@@ -13,7 +13,8 @@ namespace {
 bool equal(const osculo::Run& a, const osculo::Run& b) {
     return a.scene == b.scene && a.status == b.status && a.time == b.time &&
            a.event_count == b.event_count && a.engine == b.engine && a.points == b.points &&
-           a.events == b.events && a.pieces == b.pieces && a.balls == b.balls && a.audit == b.audit;
+           a.events == b.events && a.pieces == b.pieces && a.balls == b.balls &&
+           a.audit == b.audit && a.certificate == b.certificate;
 }
 
 // A small run with one of everything, made by hand.
@@ -132,6 +133,59 @@ TEST(RunJson, NumbersThatAreNotFiniteSurvive) {
     EXPECT_EQ(again.audit->energy_initial, kInfinity);
     EXPECT_EQ(again.audit->worst_gap, -kInfinity);
     EXPECT_TRUE(std::isnan(again.pieces[0].velocity.x));
+}
+
+TEST(RunJson, HasTheCertificate) {
+    osculo::Run run = small_run();
+    run.certificate = Certificate{"quad", "extended", true, 2, 1, {}, {}};
+    run.certificate->events = {{true, 15.5, 14, 13}, {true, 16, 16, 16}, {}};
+    run.certificate->balls = {{true, 12.25, 11}, {}};
+    const std::string text = run_to_json(run);
+    const std::size_t from = text.find("  \"certificate\"");
+    EXPECT_EQ(text.substr(from, text.find("  \"outcome\"") - from), R"(  "certificate": {
+    "certain": false,
+    "reference": "quad",
+    "witness": "extended",
+    "conclusive": true,
+    "first_uncertain": 2,
+    "first_out_of_order": 1,
+    "balls": [
+      {"id": "a", "confirmed": true, "position": 12.25, "velocity": 11},
+      {"id": "b", "confirmed": false}
+    ],
+    "events": [
+      {"confirmed": true, "time": 15.5, "position": 14, "velocity": 13},
+      {"confirmed": true, "time": 16, "position": 16, "velocity": 16},
+      {"confirmed": false}
+    ]
+  },
+)");
+    EXPECT_TRUE(equal(run_from_json(text), run));
+    run.certificate = simulate(presets::make("carom"), {.certify = true}).certificate;
+    run.certificate->balls.resize(2);
+    EXPECT_TRUE(equal(run_from_json(run_to_json(run)), run));
+}
+
+TEST(RunJson, ACertificateMustFitItsRun) {
+    osculo::Run run = small_run();
+    run.certificate = Certificate{"quad", "extended", true, 1, 1, {{}}, {{}, {}}};
+    const auto message = [&run] {
+        try {
+            static_cast<void>(run_from_json(run_to_json(run)));
+        } catch (const SceneError& error) {
+            return std::string(error.what());
+        }
+        return std::string();
+    };
+    EXPECT_EQ(message(), "certificate.first_uncertain: must be the index of an event, but it is 1");
+    run.certificate->first_uncertain = run.certificate->first_out_of_order = 0;
+    EXPECT_EQ(message(), "");
+    std::string text = run_to_json(run);
+    text.replace(text.find("\"certain\": false"), 16, "\"certain\": true");
+    EXPECT_THROW(static_cast<void>(run_from_json(text)), SceneError);
+    run.certificate->balls.pop_back();
+    EXPECT_EQ(message().substr(0, 70),
+              "certificate.balls: must have as many elements as the scene has balls, ");
 }
 
 std::string error_after_replacing(const std::string& what, const std::string& by) {
