@@ -54,7 +54,7 @@ const ReadyEngine& narrowest_engine(const Scene& scene, const Options& options, 
                             digits100_engines()};
     for (const auto& group : groups) {
         for (const ReadyEngine& engine : group) {
-            const bool suits = batch ? engine.make_player != nullptr : engine.run != nullptr;
+            const bool suits = batch ? engine.make_player != nullptr : engine.begin != nullptr;
             if (suits && covers(engine, scene, options)) return engine;
         }
     }

@@ -6,6 +6,7 @@
 
 #include "osculo/simulate.hpp"
 #include "shot_player.hpp"
+#include "stoppable_run.hpp"
 
 namespace osculo::facade {
 
@@ -23,8 +24,9 @@ struct ReadyEngine {
     Record record;   ///< at most this
     bool cell_grid;  ///< for many balls; gives the same results as all pairs
     std::string (*name)();
-    /// Runs a valid scene. With `audit`, requires record == pieces. Null if it is for batches only.
-    Run (*run)(const Scene& scene, bool audit);
+    /// Begins the run of a valid scene, to which it keeps a reference. Null if the engine is for
+    /// batches only.
+    std::unique_ptr<StoppableRun> (*begin)(const Scene& scene);
     /// Makes a player for batches. Null if it does not see the contacts that they count.
     std::unique_ptr<ShotPlayer> (*make_player)(const Scene& scene);
 };
@@ -48,5 +50,11 @@ struct ReadyEngine {
 /// The narrowest engine that covers the scene.
 [[nodiscard]] const ReadyEngine& narrowest_engine(const Scene& scene, const Options& options,
                                                   bool batch = false);
+
+/// Begins the run of a valid scene, to which it keeps a reference, with what its options need.
+[[nodiscard]] std::unique_ptr<StoppableRun> begin_run(const Scene& scene, const Options& options);
+/// Ends a run that has been played to the scene's limits, and adds what its options ask for.
+[[nodiscard]] Run finish_run(StoppableRun& playing, Status status, const Scene& scene,
+                             const Options& options);
 
 }  // namespace osculo::facade

@@ -8,44 +8,12 @@
 #include "compile_scene.hpp"
 #include "convert.hpp"
 #include "engine_player.hpp"
+#include "engine_run.hpp"
 #include "osculo/engine/scenes.hpp"
 #include "ready_engine.hpp"
 #include "text.hpp"
 
 namespace osculo::facade {
-
-/// Runs a valid scene with the engine of that scene type.
-template <class Type>
-[[nodiscard]] Run run_engine(const Scene& scene, bool audit) {
-    using S = typename Type::Scalar;
-    CompiledScene<Type> compiled = compile_scene<Type>(scene);
-    engine::SceneData<Type> start;
-    if (audit) start = compiled.data;
-    engine::Engine<Type> engine(std::move(compiled.data));
-
-    Run run;
-    run.status = engine.run({S(scene.limits.time), scene.limits.events});
-    run.time = math::to_double<S>(math::narrow(engine.time()));
-    run.event_count = engine.event_count();
-    const Converter<Type> convert{scene, compiled};
-    run.balls = convert.balls(engine.bodies());
-    if constexpr (Type::Recorder::kEvents) {
-        run.events.reserve(engine.recorder().events.size());
-        for (const auto& event : engine.recorder().events)
-            run.events.push_back(convert.event(event));
-    }
-    if constexpr (Type::Recorder::kPieces) {
-        run.pieces.reserve(engine.recorder().pieces.size());
-        for (const auto& piece : engine.recorder().pieces)
-            run.pieces.push_back(convert.piece(piece));
-        if (audit) {
-            run.audit = convert.audit(
-                engine::audit<Type>(start, engine.recorder(), engine.bodies(), engine.time()));
-        }
-    }
-    run.points = std::move(compiled.points);
-    return run;
-}
 
 /// "uniform/restitution/segments+points/double/pieces/all-pairs".
 template <class Type>
@@ -136,9 +104,9 @@ template <class Type>
                                                                       : Record::none;
     engine.cell_grid = Type::BroadPhase::kCrossings;
     engine.name = [] { return engine_name<Type>(Name::kName, PrecisionOf<S>::kName); };
-    engine.run = nullptr;
+    engine.begin = nullptr;
     engine.make_player = nullptr;
-    if constexpr (!kContactsOnly<Type>) engine.run = &run_engine<Type>;
+    if constexpr (!kContactsOnly<Type>) engine.begin = &begin_engine_run<Type>;
     if constexpr (Type::Recorder::kEvents) engine.make_player = &make_engine_player<Type>;
     return engine;
 }
