@@ -1,0 +1,107 @@
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "osculo/math/floating_point.hpp"
+
+namespace osculo::impact::symmetric {
+
+/// The factors A = Q R of a matrix whose columns come and go: Q'Q = I, R upper triangular.
+///
+/// A column is orthogonalised twice (Gram-Schmidt; "twice is enough", W. Kahan in B. N. Parlett,
+/// "The Symmetric Eigenvalue Problem"), one that goes is rotated out. R is that of a matrix within
+/// some epsilon of each column. Columns are about 1 long.
+template <math::Scalar S>
+class Basis {
+public:
+    /// Starts anew, for columns of [rows] entries.
+    void clear(std::size_t rows) {
+        rows_ = rows;
+        size_ = 0;
+        if (q_.size() < rows * rows) q_.resize(rows * rows);
+        if (r_.size() < rows * rows) r_.resize(rows * rows);
+        if (rest_.size() < rows) rest_.resize(rows);
+    }
+
+    [[nodiscard]] std::size_t size() const { return size_; }
+
+    /// How far a column is from the span of those here. What is left of it stays for append().
+    /// [scatter](entries) writes it into zeros.
+    template <class Scatter>
+    [[nodiscard]] S distance(const Scatter& scatter) {
+        for (std::size_t i = 0; i < rows_; ++i) rest_[i] = S(0);
+        scatter(rest_);
+        if (size_ == rows_) return S(0);
+        S* column = &r_[size_ * rows_];
+        for (std::size_t j = 0; j < size_; ++j) column[j] = S(0);
+        for (int pass = 0; pass < 2; ++pass) {
+            for (std::size_t j = 0; j < size_; ++j) {
+                const S* q = &q_[j * rows_];
+                S part(0);
+                for (std::size_t i = 0; i < rows_; ++i) part += q[i] * rest_[i];
+                for (std::size_t i = 0; i < rows_; ++i) rest_[i] -= part * q[i];
+                column[j] += part;
+            }
+        }
+        S square(0);
+        for (std::size_t i = 0; i < rows_; ++i) square += rest_[i] * rest_[i];
+        column[size_] = math::square_root<S>(square);
+        return column[size_];
+    }
+
+    /// Takes in the column last measured. Its distance must be > 0.
+    void append() {
+        const S length = r_[size_ * rows_ + size_];
+        for (std::size_t i = 0; i < rows_; ++i) q_[size_ * rows_ + i] = rest_[i] / length;
+        ++size_;
+    }
+
+    /// Takes out the column at [place]; those after it move up.
+    void remove(std::size_t place) {
+        --size_;
+        for (std::size_t j = place; j < size_; ++j) {
+            for (std::size_t i = 0; i <= j + 1; ++i) r_[j * rows_ + i] = r_[(j + 1) * rows_ + i];
+        }
+        for (std::size_t j = place; j < size_; ++j) {
+            const S a = r_[j * rows_ + j];
+            const S b = r_[j * rows_ + j + 1];
+            const S length = math::square_root<S>(a * a + b * b);
+            const S c = a / length;
+            const S s = b / length;
+            for (std::size_t k = j; k < size_; ++k) {
+                rotate(r_[k * rows_ + j], r_[k * rows_ + j + 1], c, s);
+            }
+            for (std::size_t i = 0; i < rows_; ++i) {
+                rotate(q_[j * rows_ + i], q_[(j + 1) * rows_ + i], c, s);
+            }
+        }
+    }
+
+    /// x with R'R x = x.
+    void solve_normal(std::vector<S>& x) const {
+        for (std::size_t j = 0; j < size_; ++j) {
+            for (std::size_t i = 0; i < j; ++i) x[j] -= r_[j * rows_ + i] * x[i];
+            x[j] /= r_[j * rows_ + j];
+        }
+        for (std::size_t j = size_; j-- > 0;) {
+            x[j] /= r_[j * rows_ + j];
+            for (std::size_t i = 0; i < j; ++i) x[i] -= r_[j * rows_ + i] * x[j];
+        }
+    }
+
+private:
+    static void rotate(S& a, S& b, const S& c, const S& s) {
+        const S first = c * a + s * b;
+        b = c * b - s * a;
+        a = first;
+    }
+
+    std::size_t rows_ = 0;
+    std::size_t size_ = 0;
+    std::vector<S> q_;     // by columns
+    std::vector<S> r_;     // by columns
+    std::vector<S> rest_;  // of the column last measured
+};
+
+}  // namespace osculo::impact::symmetric
