@@ -76,6 +76,10 @@ struct Event {
     Point normal;  ///< unit, from `ball` towards `other`
     std::array<BallState, 2> before;  ///< of `ball` and, for ball_ball, `other`
     std::array<BallState, 2> after;
+    /// Contacts that were resolved together have the same number, from 1 on; 0: by itself. They
+    /// follow each other, and only what all of them do together has a meaning.
+    std::uint32_t cluster = 0;
+    bool well_posed = true;  ///< of a cluster: false if another law or order has another outcome
     Phase from = Phase::uniform;  ///< of a transition
     Phase to = Phase::uniform;
     friend bool operator==(const Event&, const Event&) = default;

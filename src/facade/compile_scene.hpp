@@ -124,6 +124,9 @@ void compile_laws(const Scene& scene, engine::SceneData<Type>& data) {
     using S = typename Type::Scalar;
     const BallBallImpact& balls = scene.impacts.ball_ball;
     const CushionImpact& cushion = scene.impacts.ball_cushion;
+    if constexpr (Type::Simultaneous::kGathersCluster) {
+        data.sequential = scene.impacts.simultaneous == Simultaneous::sequential;
+    }
     data.ball_ball_restitution = S(balls.restitution);
     data.ball_cushion_restitution = S(cushion.restitution);
     const S g(scene.gravity);

@@ -93,8 +93,7 @@ MotionLaw read_motion(const Value& value) {
 }
 
 Impacts read_impacts(const Value& value, const Impacts& defaults) {
-    static constexpr Names kSimultaneous{"sequential"};
-    static constexpr Names kPlannedSimultaneous{"symmetric"};
+    static constexpr Names kSimultaneous{"symmetric", "sequential"};
     static constexpr Names kKeys{"ball_ball", "ball_cushion", "simultaneous", "contact_time"};
     const Fields fields(value, kKeys);
     Impacts result = defaults;
@@ -103,8 +102,8 @@ Impacts read_impacts(const Value& value, const Impacts& defaults) {
         result.ball_cushion = read_ball_cushion(*law);
     }
     if (const auto law = fields.find("simultaneous")) {
-        choice(*law, kSimultaneous, kPlannedSimultaneous);
-        result.simultaneous = Simultaneous::sequential;
+        result.simultaneous =
+            choice(*law, kSimultaneous) == 0 ? Simultaneous::symmetric : Simultaneous::sequential;
     }
     take(fields, "contact_time", result.contact_time);
     return result;

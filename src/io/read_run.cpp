@@ -86,8 +86,8 @@ Phase read_phase(const Value& value) {
 }
 
 Event read_event(const Value& value, const Indices& indices) {
-    static constexpr Names kKeys{"time",   "time_low", "kind",  "ids",  "point",
-                                 "normal", "before",   "after", "from", "to"};
+    static constexpr Names kKeys{"time",   "time_low", "kind", "ids", "point",   "normal",
+                                 "before", "after",    "from", "to",  "cluster", "well_posed"};
     static constexpr EventKind kKinds[]{EventKind::capture,      EventKind::ball_ball,
                                         EventKind::ball_segment, EventKind::ball_arc,
                                         EventKind::ball_point,   EventKind::transition};
@@ -117,6 +117,12 @@ Event read_event(const Value& value, const Indices& indices) {
     } else {
         event.point = fields.require("point").point();
         event.normal = fields.require("normal").point();
+        if (const auto cluster = fields.find("cluster")) {
+            const std::uint64_t number = cluster->natural();
+            if (number == 0 || number > 0xFFFFFFFFU) cluster->fail("must be from 1 to 4294967295");
+            event.cluster = static_cast<std::uint32_t>(number);
+        }
+        if (const auto unique = fields.find("well_posed")) event.well_posed = unique->boolean();
     }
     event.before = read_states(fields.require("before"), event.kind);
     event.after = read_states(fields.require("after"), event.kind);

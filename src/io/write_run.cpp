@@ -34,6 +34,11 @@ void write_event(JsonText& json, const Run& run, const Event& event) {
         json.strings(run.ids(event));
         members.vector("point", event.point);
         members.vector("normal", event.normal);
+        if (event.cluster != 0) {
+            members.number("cluster", std::uint64_t{event.cluster});
+            members.key("well_posed");
+            json.boolean(event.well_posed);
+        }
     }
     members.key("before");
     write_states(json, event.before, both);

@@ -16,6 +16,7 @@
 #include "osculo/engine/recorder.hpp"
 #include "osculo/engine/traits.hpp"
 #include "osculo/impact/pressing.hpp"
+#include "osculo/impact/symmetric.hpp"
 #include "osculo/motion/swept_box.hpp"
 #include "osculo/status.hpp"
 
@@ -61,9 +62,44 @@ struct SceneData {
     S ball_cushion_restitution{1};
     [[no_unique_address]] typename Type::MotionParameters motion;
     [[no_unique_address]] FrictionLaws<Type> friction;  ///< where balls have spin
+    /// Whether contacts at one instant are resolved pair by pair nevertheless.
+    [[no_unique_address]] std::conditional_t<Type::Simultaneous::kGathersCluster, bool, Nothing>
+        sequential{};
     /// Shortest time between impacts of things that are pressed together [s], for motion with
     /// acceleration (impact/pressing.hpp).
     [[no_unique_address]] std::conditional_t<Type::Motion::kTransitions, S, Nothing> contact_time{};
+};
+
+/// A contact by what takes part: a ball, and a ball or the index of an obstacle of that kind.
+struct ContactId {
+    Kind kind;
+    BallIndex first;
+    std::uint32_t second;
+};
+
+/// What an engine keeps to resolve contacts of one instant together; nothing if it does not.
+template <class Type, bool = Type::Simultaneous::kGathersCluster>
+struct ClusterWorkspace {};
+template <class Type>
+struct ClusterWorkspace<Type, true> {
+    using S = typename Type::Scalar;
+    using Law =
+        std::conditional_t<Type::Motion::kSpin, impact::SpinningCluster<S>, impact::Cluster<S>>;
+    using LawContact = typename Law::Contact;
+
+    struct Member {
+        BallIndex ball;
+        typename Type::State state;  ///< now
+        S tolerance;                 ///< how well its place is known [m]
+        std::uint32_t impacts = 0;   ///< contacts that act on it
+        std::uint32_t recorded = 0;  ///< of these
+    };
+
+    std::vector<Member> members;
+    std::vector<ContactId> contacts;
+    Law law;  ///< the same, in the same order
+    impact::SymmetricSolver<S> solver;
+    std::uint32_t number = 0;  ///< of clusters recorded so far
 };
 
 /// What ends a run.
@@ -100,6 +136,7 @@ public:
         scene_.bodies.assign(bodies.begin(), bodies.end());
         broad_phase_ = typename Type::BroadPhase(scene_.bodies);
         recorder_.clear();
+        if constexpr (Type::Simultaneous::kGathersCluster) cluster_.number = 0;
         now_ = Instant{S(0)};
         event_count_ = prediction_count_ = 0;
         start();
@@ -122,11 +159,7 @@ private:
     using ObstacleBoxesType = ObstacleBoxes<S, typename Type::ObstacleStorage>;
     using Recorder = typename Type::Recorder;
 
-    struct Contact {
-        Kind kind;
-        BallIndex first;
-        std::uint32_t second;
-    };
+    using Contact = ContactId;
 
     void start();
 
@@ -148,14 +181,28 @@ private:
     void change_phase(BallIndex i);
     void resolve_balls(BodyType& one, BodyType& other, const Vec& normal);  // resolution.hpp
     void resolve_cushion(BodyType& body, const Vec& normal);
+    S part_if_pressed(BodyType& one, BodyType& other, const Vec& normal);
+    S part_if_pressed(BodyType& body, const Vec& normal);
     [[nodiscard]] S pressing_time(std::initializer_list<BodyType*> bodies);
+
+    // cluster.hpp
+    [[nodiscard]] bool gather(const Contact& contact);
+    void add_member(BallIndex i);
+    void gather_balls(std::size_t m);
+    template <std::size_t K>
+    void gather_obstacles(std::size_t m);
+    void load_cluster();
+    [[nodiscard]] bool resolve_cluster();
+    void record_cluster(bool well_posed);
+
     [[nodiscard]] bool carry_out(const Scheduled& event);
     [[nodiscard]] bool collide_balls(const Contact& contact);
     template <std::size_t K>
     [[nodiscard]] bool meet_obstacle(const Contact& contact);
     /// Calls f with the compile-time number of the kind of obstacle.
     template <class F>
-    [[nodiscard]] bool visit_kind(Kind kind, F&& f);
+    [[nodiscard]] static bool visit_kind(Kind kind, F&& f);
+    [[nodiscard]] static bool captures(Kind kind);
 
     void advance(BallIndex i);
     void note_impact(BodyType& body, const Vec& before, Kind kind, std::uint32_t other);
@@ -170,6 +217,7 @@ private:
     [[no_unique_address]] ObstacleBoxesType obstacle_boxes_;
     [[no_unique_address]] typename Type::BroadPhase broad_phase_;
     std::vector<Box> swept_;  ///< around what each ball covers before its next event
+    [[no_unique_address]] ClusterWorkspace<Type> cluster_;
     [[no_unique_address]] Recorder recorder_;
     Instant now_{S(0)};
     std::uint64_t event_count_ = 0;
@@ -248,25 +296,32 @@ bool Engine<Type>::visit_kind(Kind kind, F&& f) {
 /// False if the event could not be resolved in this scalar type.
 template <class Type>
 bool Engine<Type>::carry_out(const Scheduled& event) {
-    std::array<Contact, 1> cluster{Contact{event.kind, event.first, event.second}};
-    bool sound = true;
     if constexpr (Type::Motion::kTransitions) {
         if (event.kind == kTransition) {
             change_phase(event.first);
             return true;
         }
     }
-    Type::Simultaneous::resolve(cluster, [&](const Contact& contact) {
-        if (contact.kind == kBallBall) {
-            sound = collide_balls(contact) && sound;
-        } else {
-            sound = visit_kind(
-                        contact.kind,
-                        [&](auto kind) { return meet_obstacle<decltype(kind)::value>(contact); }) &&
-                    sound;
+    const Contact contact{event.kind, event.first, event.second};
+    if constexpr (Type::Simultaneous::kGathersCluster) {
+        if (!scene_.sequential && !captures(event.kind) && gather(contact) && resolve_cluster()) {
+            return true;
         }
-    });
-    return sound;
+    }
+    if (contact.kind == kBallBall) return collide_balls(contact);
+    return visit_kind(contact.kind,
+                      [&](auto kind) { return meet_obstacle<decltype(kind)::value>(contact); });
+}
+
+/// Whether it is an obstacle that takes balls away.
+template <class Type>
+bool Engine<Type>::captures(Kind kind) {
+    return kind >= kFirstObstacle && visit_kind(kind, [](auto k) {
+               using Obstacle =
+                   typename std::tuple_element_t<decltype(k)::value,
+                                                 typename Type::ObstacleStorage>::value_type;
+               return kEffect<Obstacle> == Effect::capture;
+           });
 }
 
 template <class Type>
@@ -433,5 +488,6 @@ Status Engine<Type>::finish(Status status, const Instant& end) {
 
 }  // namespace osculo::engine
 
+#include "osculo/engine/cluster.hpp"
 #include "osculo/engine/prediction.hpp"
 #include "osculo/engine/resolution.hpp"

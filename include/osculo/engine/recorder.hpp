@@ -25,6 +25,10 @@ struct EventRecord {
     math::Vec<S> normal;  ///< from `first` towards the other, any length
     std::array<Memory, 2> before;
     std::array<Memory, 2> after;
+    /// Contacts resolved together have the same number, from 1 on. They follow each other, and what
+    /// each of them does by itself means nothing: only their sum does.
+    std::uint32_t cluster = 0;
+    bool well_posed = true;  ///< of a cluster: false if another law or order gives another outcome
 };
 
 /// One stretch of one ball's motion.

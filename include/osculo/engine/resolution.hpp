@@ -19,6 +19,14 @@ void Engine<Type>::resolve_balls(BodyType& one, BodyType& other, const Vec& norm
     }
     begin_motion(one);
     begin_motion(other);
+    part_if_pressed(one, other, normal);
+}
+
+/// The law of pressed balls (impact/pressing.hpp), after an impact. Returns the impulse that it
+/// adds [kg m/s].
+template <class Type>
+typename Engine<Type>::S Engine<Type>::part_if_pressed(BodyType& one, BodyType& other,
+                                                       const Vec& normal) {
     if constexpr (Type::Motion::kTransitions) {
         const Vec unit = normal / math::norm<S>(normal);
         const S missing = impact::missing_separation<S>(
@@ -31,8 +39,24 @@ void Engine<Type>::resolve_balls(BodyType& one, BodyType& other, const Vec& norm
             other.state.velocity += (missing * (one.mass / total)) * unit;
             begin_motion(one);
             begin_motion(other);
+            return missing * (one.mass * (other.mass / total));
         }
     }
+    return S(0);
+}
+template <class Type>
+typename Engine<Type>::S Engine<Type>::part_if_pressed(BodyType& body, const Vec& normal) {
+    if constexpr (Type::Motion::kTransitions) {
+        const Vec away = normal / -math::norm<S>(normal);
+        const S missing = impact::missing_separation<S>(
+            body.state.velocity, body.state.half_acceleration, away, pressing_time({&body}));
+        if (missing > S(0)) {
+            body.state.velocity += missing * away;
+            begin_motion(body);
+            return missing * body.mass;
+        }
+    }
+    return S(0);
 }
 
 /// How long what these balls do now can press them against each other or a cushion [s].
@@ -58,15 +82,7 @@ void Engine<Type>::resolve_cushion(BodyType& body, const Vec& normal) {
                                           body.state.velocity);
     }
     begin_motion(body);
-    if constexpr (Type::Motion::kTransitions) {
-        const Vec away = normal / -math::norm<S>(normal);
-        const S missing = impact::missing_separation<S>(
-            body.state.velocity, body.state.half_acceleration, away, pressing_time({&body}));
-        if (missing > S(0)) {
-            body.state.velocity += missing * away;
-            begin_motion(body);
-        }
-    }
+    part_if_pressed(body, normal);
 }
 
 }  // namespace osculo::engine

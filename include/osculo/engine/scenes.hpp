@@ -19,11 +19,11 @@ using Table = Obstacles<geometry::Rim, geometry::Segment, geometry::Arc, geometr
 template <math::Scalar S, class ObstacleKinds, template <class> class RecorderKind,
           template <class> class BroadPhaseKind>
 using UniformScene = SceneType<S, motion::Uniform, ObstacleKinds, impact::Restitution,
-                               impact::Sequential, RecorderKind, BroadPhaseKind>;
+                               impact::Symmetric, RecorderKind, BroadPhaseKind>;
 
 /// Rolling to rest, with restitution.
 template <math::Scalar S, template <class> class RecorderKind>
-using RollingScene = SceneType<S, motion::Rolling, Table, impact::Restitution, impact::Sequential,
+using RollingScene = SceneType<S, motion::Rolling, Table, impact::Restitution, impact::Symmetric,
                                RecorderKind, AllPairs>;
 
 /// Impact laws of balls with spin: friction between balls, and a cushion law.
@@ -40,7 +40,7 @@ struct WithFriction {
 
 /// A cloth, with friction everywhere.
 template <math::Scalar S, template <class> class Cushion, template <class> class RecorderKind>
-using ClothScene = SceneType<S, motion::Cloth, Table, WithFriction<Cushion>, impact::Sequential,
+using ClothScene = SceneType<S, motion::Cloth, Table, WithFriction<Cushion>, impact::Symmetric,
                              RecorderKind, AllPairs>;
 
 template <math::Scalar S>
