@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <vector>
 
@@ -15,8 +16,8 @@ namespace osculo::impact {
 /// How the resolution of a cluster ended.
 enum class ClusterStatus {
     separated,  ///< no pair approaches
-    jammed,     ///< the contacts cannot all separate: what still approached lost its approach
-    capped,     ///< too many reflections: the same
+    jammed,     ///< the contacts that bear cannot all separate: inelastic, whatever e
+    capped,     ///< too many reflections: what still approached has been stopped
 };
 
 struct ClusterOutcome {
@@ -38,8 +39,8 @@ struct ClusterOutcome {
 /// sides it turns on whether the weaker blow is zero or all but zero. Both keep energy and momentum
 /// and only push. This is repeated while contacts approach. It ends unless the contacts cannot all
 /// separate (E. Vouga et al., "All's Well That Ends Well", ACM Trans. Graph. 36, 2017), for two
-/// contacts after pi / beta + 1 steps; a cap ends it in any case, with an inelastic impact of the
-/// rest.
+/// contacts after pi / beta + 1 steps. If they cannot (between parallel walls), the impact is
+/// inelastic; a cap ends it in any case, with an inelastic impact of the rest.
 ///
 /// e < 1: impulse by impulse, J = (1 - e) J(inelastic) + e J(reflections); what then approaches is
 /// projected; if different e make that gain energy, it is drawn towards the inelastic impact until
@@ -69,11 +70,9 @@ public:
         system_.load(cluster);
         impulses_.assign(system_.contacts().size(), S(0));
         size_ = system_.size();
-        reached_.clear();
-        for (std::size_t k = 0; k < impulses_.size(); ++k) {
-            if (approaching_.approaches(system_, k, least())) reached_.push_back(k);
-        }
-        outcome.well_posed = symmetric::cluster_is_well_posed<S>(system_, slight(), reached_);
+        reach_.find(system_, slight(),
+                    [&](std::size_t k) { return approaching_.approaches(system_, k, least()); });
+        outcome.well_posed = reach_.well_posed();
         resolve_normals(outcome);
         if constexpr (requires { cluster.balls.front().spin; }) resolve_friction(cluster, outcome);
         for (std::size_t i = 0; i < cluster.balls.size(); ++i) {
@@ -93,19 +92,13 @@ public:
 private:
     using Vec = math::Vec<S>;
 
-    /// What separates approach from rounding, in units of epsilon |y|: reflections and projections
-    /// leave some 10. Stopping a pair that approaches by so little takes the square of it from the
-    /// energy, nothing.
-    static constexpr int kApproach = 256;
     static constexpr int kMostProjections = 8;
     static constexpr int kRefinements = 2;
     static constexpr int kFrictionPasses = 4;
     /// Reflections after which to ask whether they can end.
     static constexpr int kPatience = 64;
-    /// A gain of energy that is not rounding, in units of epsilon.
-    static constexpr int kGain = 8;
 
-    [[nodiscard]] S least() const { return S(kApproach) * math::epsilon<S>() * size_; }
+    [[nodiscard]] S least() const { return S(math::kClusterApproach) * math::epsilon<S>() * size_; }
     /// Tolerance of cosines: outcomes on both sides differ by as little.
     [[nodiscard]] static S slight() { return math::square_root<S>(math::epsilon<S>()); }
 
@@ -118,20 +111,19 @@ private:
             if (e > S(0)) some_bounce = true;
             if (e < S(1)) some_stick = true;
         }
+        save_velocities(start_);
         if (!some_stick) {
             reflect(outcome);
             outcome.no_approach = stop();
             return;
         }
-        save_velocities(start_);
         outcome.no_approach = stop();
         if (!some_bounce) return;
 
         // Now the reflections, from the beginning, then the blend.
         save_velocities(inelastic_);
         stopping_.swap(impulses_);
-        impulses_.assign(stopping_.size(), S(0));
-        restore_velocities(start_);
+        begin_again();
         reflect(outcome);
         stop();
         restore_velocities(start_);
@@ -146,6 +138,11 @@ private:
         draw_towards(inelastic_, stopping_, S(0), S(0));
     }
 
+    void begin_again() {
+        restore_velocities(start_);
+        impulses_.assign(system_.contacts().size(), S(0));
+    }
+
     /// Reflections, generalised where the outcome is not unique.
     void reflect(ClusterOutcome& outcome) {
         const S noise = least();
@@ -153,8 +150,9 @@ private:
         while (approaching_.find(system_, noise, slight())) {
             if (patient && outcome.reflections >= kPatience) {
                 patient = false;
-                if (projection_.jammed(system_)) {
+                if (projection_.jammed(system_, [&](std::size_t k) { return reach_.has(k); })) {
                     outcome.status = ClusterStatus::jammed;
+                    begin_again();
                     return;
                 }
             }
@@ -179,12 +177,26 @@ private:
             bool changed = false;
             for (const std::size_t k : approaching_.unique()) {
                 if (!approaching_.approaches(system_, k, noise)) continue;
-                impulses_[k] += system_.reflect(k);
+                share_out(k, system_.reflect(k));
                 changed = true;
             }
             if (!changed) return true;
             if (!first && ++outcome.reflections >= most_reflections_) return false;
             if (!first && outcome.reflections % kPatience == 0) return true;
+        }
+    }
+
+    /// An impulse of a contact that may be there more than once (where two segments meet): to all
+    /// of them alike.
+    void share_out(std::size_t k, const S& impulse) {
+        const auto same = [&](std::size_t l) {
+            return symmetric::product<S>(system_.contacts()[k].column,
+                                         system_.contacts()[l].column) > S(1) - slight();
+        };
+        const auto& all = approaching_.unique();
+        const S share = impulse / S(static_cast<double>(std::ranges::count_if(all, same)));
+        for (const std::size_t l : all) {
+            if (same(l)) impulses_[l] += share;
         }
     }
 
@@ -244,9 +256,8 @@ private:
             bool changed = false;
             for (std::size_t k = 0; k < impulses_.size(); ++k) {
                 const S more = impulses_[k] - pressed_[k];
-                if (!(more > S(0))) continue;
-                friction_.press(k, system_.contacts()[k].root * more);
-                changed = true;
+                if (!(more > S(math::kClusterApproach) * math::epsilon<S>() * size)) continue;
+                if (friction_.press_again(k, system_.contacts()[k].root * more)) changed = true;
             }
             if (!changed) break;
         }
@@ -280,7 +291,7 @@ private:
         const S size = system_.size();
         const S allowed = size_ * size_ + turning_there;
         const S have = size * size + turning_here;
-        if (!(have > allowed * (S(1) + S(kGain) * math::epsilon<S>()))) return S(1);
+        if (!(have > allowed * (S(1) + S(math::kClusterGain) * math::epsilon<S>()))) return S(1);
         const S there_size = system_.size([&](std::size_t i) { return velocities[i]; });
         const S there = there_size * there_size + turning_there;
         // The energy is convex along the line: below the chord.
@@ -298,15 +309,15 @@ private:
     int most_reflections_;
     symmetric::System<S> system_;
     symmetric::Projection<S> projection_;
+    symmetric::Reach<S> reach_;
     symmetric::Approaching<S> approaching_;
     symmetric::ClusterFriction<S> friction_;
-    S size_{0};                         // |y| in the beginning
-    std::vector<S> impulses_;           // accumulated, in units of sqrt(m)
-    std::vector<std::size_t> reached_;  // contacts that can come to bear
-    std::vector<S> stopping_;           // of the inelastic impact, or before friction
-    std::vector<S> pressed_;            // before a pass of friction
-    std::vector<Vec> start_;            // velocities in the beginning,
-    std::vector<Vec> inelastic_;        // after the inelastic impact, or before friction
+    S size_{0};                   // |y| in the beginning
+    std::vector<S> impulses_;     // accumulated, in units of sqrt(m)
+    std::vector<S> stopping_;     // of the inelastic impact, or before friction
+    std::vector<S> pressed_;      // before a pass of friction
+    std::vector<Vec> start_;      // velocities in the beginning,
+    std::vector<Vec> inelastic_;  // after the inelastic impact, or before friction
 };
 
 }  // namespace osculo::impact

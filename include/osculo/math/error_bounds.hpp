@@ -4,7 +4,8 @@
 
 /// Every tolerance of osculo. All are relative: the unit is the rounding unit of the scalar type
 /// times a quantity of the problem itself. tests/math/error_bounds_test.cpp shows for each that it
-/// is large enough, and that a tenth of it is not (or what else would go wrong).
+/// is large enough, and that a tenth of it is not (or what else would go wrong); those of clusters
+/// have tests/impact/simultaneous/bounds_test.cpp.
 namespace osculo::math {
 
 /// Slack of a rejection test, in units of epsilon times the sum of the absolute terms of the tested
@@ -86,5 +87,27 @@ inline constexpr int kTogether = 32;
 inline constexpr int kClusterEnergy = 512;
 inline constexpr int kClusterMomentum = 512;
 inline constexpr int kClusterClosing = 512;
+
+/// Contacts of a cluster approach if stopping the pair would take more than the square of this many
+/// epsilon out of the cluster's energy, in units of that of |y|, the root of twice the energy:
+/// impulses of one reflection err by some epsilon of |y|, those of several dependent contacts by
+/// more, and normals that are differences of coordinates by the coordinates over the radius. What a
+/// symmetric cluster leaves at rest must not be seen to approach on one side. Approaches below are
+/// stopped, which takes nothing that counts from the energy.
+inline constexpr int kClusterApproach = 256;
+
+/// A contact whose unit vector (in the metric of the masses) is this many epsilon from the span of
+/// others lies in it: 1 for each of the vectors, 1 for each of two orthogonalisations, the rest for
+/// the normals, as above.
+inline constexpr int kClusterDependent = 64;
+
+/// Contacts cannot all separate if a sum of their unit vectors, of positive shares that add up to
+/// 1, has a square below this many epsilon: the shares, of up to some dozen, err by epsilon each.
+inline constexpr int kClusterJam = 8;
+
+/// A gain of energy of a cluster, in units of epsilon of its energy, that is more than rounding of
+/// its impulses and velocities (1 for each of three products, two sums, the root and the quotient
+/// of an impulse, 1 for the velocity).
+inline constexpr int kClusterGain = 8;
 
 }  // namespace osculo::math

@@ -46,6 +46,7 @@ TEST(Invariance, OrderOfBallsAndContacts) {
     Random random(424301);
     SymmetricSolver<double> solver(kCap);
     double worst[] = {0, 0, 0};
+    int undecided = 0;
     for (int i = 0; i < kCases; ++i) {
         const RandomCluster<double> source(random);
         const Cluster& before = source.stage.cluster;
@@ -74,18 +75,24 @@ TEST(Invariance, OrderOfBallsAndContacts) {
         Cluster second = before;
         for (std::size_t b = 0; b < balls.size(); ++b) second.balls[b] = permuted.balls[balls[b]];
         const double off = difference(first, second, before) / kEpsilon / (1 + again.reflections);
-        // Whether a contact of a heavy and a light ball approaches is known to kApproach epsilon of
-        // |y|; different restitutions ask for the share of each contact, where more bear than have
-        // to.
-        const int kind = !source.same_restitution ? 2 : source.masses == Masses::equal ? 0 : 1;
-        const double most[] = {50, 1e4, 1e6};
+        // Different restitutions ask for the share of each contact, where more bear than have to.
+        // With masses from 1e-6 to 1e6 wedges are right angles but for a tolerance, 2^-26, and now
+        // and then some contact approaches by just about kClusterApproach epsilon of |y|: an
+        // ill-posed outcome turns on whether it does.
+        const int kind = source.masses == Masses::extreme ? 1 : source.same_restitution ? 0 : 2;
+        const double most[] = {50, 0x1p26, 1e6};
+        if (off > most[kind] && source.masses == Masses::extreme && !outcome.well_posed) {
+            ++undecided;
+            continue;
+        }
         worst[kind] = std::max(worst[kind], off);
         ASSERT_LE(off, most[kind]) << "case " << i << ": " << source.described();
     }
     std::printf(
-        "  permuted: epsilons per reflection: equal masses %.2f, others %.2f, "
-        "different e %.3g\n",
-        worst[0], worst[1], worst[2]);
+        "  permuted: epsilons per reflection: %.2f, extreme masses %.2f, different e %.3g; "
+        "%d undecided\n",
+        worst[0], worst[1], worst[2], undecided);
+    EXPECT_LE(undecided, kCases / 2000);
 }
 
 TEST(Invariance, MirrorsAtTheAxesAndUnitsBitForBit) {

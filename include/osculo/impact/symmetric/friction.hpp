@@ -54,6 +54,13 @@ public:
         rub.pressure += impulse / rub.c;
         heights_[rub.one] -= rub.s / rub.c * impulse / spins_[rub.one].mass;
     }
+    /// The same after friction: what keeps a ball from going on under a tilted nose is the table
+    /// (resolve_tilted_plane). False if it makes no difference.
+    bool press_again(std::size_t k, const S& impulse) {
+        if (rubs_[k].s != S(0)) return false;
+        press(k, impulse);
+        return true;
+    }
     template <class ClusterType>
     void choose_coefficients(const ClusterType& cluster, const System<S>& system) {
         for (std::size_t k = 0; k < rubs_.size(); ++k) {

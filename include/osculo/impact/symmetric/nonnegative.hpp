@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "osculo/impact/symmetric/basis.hpp"
+#include "osculo/math/error_bounds.hpp"
 #include "osculo/math/vec.hpp"
 
 namespace osculo::impact::symmetric {
@@ -105,9 +106,6 @@ private:
     static constexpr std::size_t kNone = static_cast<std::size_t>(-1);
     static constexpr std::size_t kOut = kNone;
     static constexpr std::size_t kPassedOver = kNone - 1;
-    /// Columns this many epsilon from the span of others count as in it: normals are known to some
-    /// epsilon only, more where they are differences of large coordinates.
-    static constexpr int kDependent = 64;
 
     struct Item {
         Column<S> column;
@@ -130,7 +128,7 @@ private:
 
     /// Takes a column in and goes to the smallest value, leaving out what would become negative.
     bool enter(std::size_t k) {
-        if (!(distance(k) > S(kDependent) * math::epsilon<S>())) return false;
+        if (!(distance(k) > S(math::kClusterDependent) * math::epsilon<S>())) return false;
         basis_.append();
         items_[k].place = places_.size();
         places_.push_back(k);

@@ -56,29 +56,31 @@ public:
             [&](std::size_t i, const S& more) { push(included_[i], more); });
     }
 
-    /// Whether some impulses, not all zero, cancel each other: then the contacts cannot all
-    /// separate, and the ball between two parallel walls never comes to leave them (P. Gordan).
-    [[nodiscard]] bool jammed(const System<S>& system) {
+    /// Whether some impulses of these contacts, not all zero, cancel each other: then the contacts
+    /// cannot all separate, and the ball between two parallel walls never comes to leave them (P.
+    /// Gordan).
+    template <class Included>
+    [[nodiscard]] bool jammed(const System<S>& system, const Included& included) {
         // The x >= 0 of sum 1 with the smallest |A x| is zero of it; found as the solution of
         // A x = 0, sum x = 1 in the least squares.
         const auto& contacts = system.contacts();
         sharing_.clear(system.rows() + 1);
-        for (const auto& contact : contacts) {
-            Column<S> column = contact.column;
+        for (std::size_t k = 0; k < contacts.size(); ++k) {
+            if (!included(k)) continue;
+            Column<S> column = contacts[k].column;
             column.row = system.rows();
             column.at_row = S(1);
             sharing_.add(column, S(-1), math::epsilon<S>());
         }
         sharing_.solve();
         S sum(0);
-        for (std::size_t k = 0; k < contacts.size(); ++k) sum += sharing_.x(k);
+        for (std::size_t k = 0; k < sharing_.size(); ++k) sum += sharing_.x(k);
         // |A x|^2 + (sum - 1)^2 = 1 - sum at the solution: 0 if jammed, else about the square of
         // the angle of the wedge.
-        return S(1) - sum < S(kJam) * math::epsilon<S>();
+        return S(1) - sum < S(math::kClusterJam) * math::epsilon<S>();
     }
 
 private:
-    static constexpr int kJam = 64;
     static constexpr int kPasses = 6;
 
     /// Between rounding and any angle that matters: 2^-26 for double.

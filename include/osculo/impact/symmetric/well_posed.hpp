@@ -1,6 +1,5 @@
 #pragma once
 
-#include <algorithm>
 #include <cstddef>
 #include <vector>
 
@@ -49,30 +48,49 @@ template <math::Scalar S>
     return sum;
 }
 
-/// The same of all contacts that can come to bear: those that approach at first and, as a blow at
-/// one contact makes another approach if a1.a2 < 0, those that can be reached from there. If every
-/// two of them are well posed, every order of impacts pair by pair ends in the same velocities, for
-/// they generate a finite group of reflections and the velocities at which none approaches are one
-/// of its chambers. [reached] comes with the contacts that approach at first.
+/// The contacts of a cluster that can come to bear: those that approach at first and, as a blow at
+/// one contact makes another approach if a1.a2 < 0, those that can be reached from there.
 template <math::Scalar S>
-[[nodiscard]] bool cluster_is_well_posed(const System<S>& system, const S& tolerance,
-                                         std::vector<std::size_t>& reached) {
-    const auto& contacts = system.contacts();
-    for (std::size_t next = 0; next < reached.size(); ++next) {
-        const auto& one = contacts[reached[next]];
+class Reach {
+public:
+    /// [approaches](k): at first. [tolerance]: of cosines.
+    template <class Approaches>
+    void find(const System<S>& system, const S& tolerance, const Approaches& approaches) {
+        const auto& contacts = system.contacts();
+        all_.clear();
+        has_.assign(contacts.size(), false);
+        well_posed_ = true;
+        const auto add = [&](std::size_t k) {
+            all_.push_back(k);
+            has_[k] = true;
+        };
         for (std::size_t k = 0; k < contacts.size(); ++k) {
-            const auto& other = contacts[k];
-            if (k == reached[next]) continue;
-            const S cosine = -product<S>(one.column, other.column);
-            if (std::find(reached.begin(), reached.end(), k) == reached.end()) {
-                if (!(cosine > tolerance)) continue;
-                reached.push_back(k);
+            if (approaches(k)) add(k);
+        }
+        for (std::size_t next = 0; next < all_.size(); ++next) {
+            const auto& one = contacts[all_[next]];
+            for (std::size_t k = 0; k < contacts.size(); ++k) {
+                if (k == all_[next]) continue;
+                const auto& other = contacts[k];
+                const S cosine = -product<S>(one.column, other.column);
+                if (!has_[k] && cosine > tolerance) add(k);
+                if (!has_[k] || !well_posed_) continue;
+                const bool elastic = one.restitution == S(1) && other.restitution == S(1);
+                well_posed_ = wedge_is_well_posed<S>(cosine, elastic, tolerance);
             }
-            const bool elastic = one.restitution == S(1) && other.restitution == S(1);
-            if (!wedge_is_well_posed<S>(cosine, elastic, tolerance)) return false;
         }
     }
-    return true;
-}
+
+    [[nodiscard]] bool has(std::size_t k) const { return has_[k]; }
+    /// Whether every two of them are. Then every order of impacts pair by pair ends in the same
+    /// velocities, for they generate a finite group of reflections and the velocities at which none
+    /// approaches are one of its chambers.
+    [[nodiscard]] bool well_posed() const { return well_posed_; }
+
+private:
+    std::vector<std::size_t> all_;
+    std::vector<bool> has_;
+    bool well_posed_ = true;
+};
 
 }  // namespace osculo::impact::symmetric
