@@ -15,7 +15,8 @@ bool covers(const ReadyEngine& engine, const Scene& scene, const Options& option
     const Record record = options.audit ? Record::pieces : options.record;
     return engine.precision == options.precision &&
            engine.motion == static_cast<MotionKind>(scene.motion.index()) &&
-           engine.cushion == scene.impacts.ball_cushion.law && engine.record >= record &&
+           engine.cushion == scene.impacts.ball_cushion.law &&
+           engine.simultaneous == scene.impacts.simultaneous && engine.record >= record &&
            (engine.arcs_and_rims || !table) && (engine.segments || scene.segments.empty()) &&
            (engine.cell_grid || engine.motion != MotionKind::uniform ||
             scene.balls.size() <= kFewBalls);
@@ -35,7 +36,17 @@ const ReadyEngine& narrowest_engine(const Scene& scene, const Options& options) 
                             extended_engines(),
                             quad_engines(),
                             digits50_engines(),
-                            digits100_engines()};
+                            digits100_engines(),
+                            double_table_symmetric_engines(),
+                            double_rolling_symmetric_engines(),
+                            double_cloth_symmetric_engines(),
+                            double_cloth_han_symmetric_engines(),
+                            double_cloth_mathavan_symmetric_engines(),
+                            double_cloth_stronge_symmetric_engines(),
+                            extended_symmetric_engines(),
+                            quad_symmetric_engines(),
+                            digits50_symmetric_engines(),
+                            digits100_symmetric_engines()};
     for (const auto& group : groups) {
         for (const ReadyEngine& engine : group) {
             if (covers(engine, scene, options)) return engine;
@@ -57,6 +68,9 @@ EngineInfo choose_engine(const Scene& scene, const Options& options) {
     using facade::MotionKind;
     if (engine.motion == MotionKind::uniform) leave_out("acceleration: the motion law is uniform");
     if (engine.motion != MotionKind::cloth) leave_out("spin and friction: there is no cloth");
+    if (engine.simultaneous == Simultaneous::sequential) {
+        leave_out("clusters: impacts at one instant are resolved pair by pair");
+    }
     if (!engine.segments) leave_out("segments and end points: the scene has none");
     if (!engine.arcs_and_rims) leave_out("arcs and rims: the scene has none");
     if (!engine.cell_grid) {

@@ -142,9 +142,9 @@ TEST(SceneErrors, UnknownLawsAndNames) {
          "but it is a law with friction"},
         {with(R"("cue": {"ball": "a", "speed": 1, "azimuth": 0})"),
          "cue: needs balls with spin, that is, the motion law cloth, but it is a cue"},
-        {with(R"("impacts": {"simultaneous": "symmetric"})"),
-         "impacts.simultaneous: must be sequential (symmetric is not available yet), "
-         "but it is \"symmetric\""},
+        {with(R"("impacts": {"simultaneous": "symetric"})"),
+         "impacts.simultaneous: must be symmetric or sequential, did you mean symmetric?, "
+         "but it is \"symetric\""},
         {with(R"("rims": [{"id": "r", "center": [0, 0], "radius": 1, "law": "paper"}])"),
          "rims[0].law: must be capture (paper and tipping are not available yet), "
          "but it is \"paper\""},

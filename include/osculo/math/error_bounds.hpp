@@ -75,6 +75,19 @@ inline constexpr int kFrictionMomentum = 20;
 /// likewise accelerations and durations, in units of epsilon times themselves.
 inline constexpr int kMotionNoise = 8;
 
+/// Gap below which a ball belongs to a cluster, in units of epsilon (|place| + |last place| +
+/// radius) of both: data is given to rounding, instants are predicted from it to some ulp, and
+/// places at an instant are speeds times that.
+inline constexpr int kTogether = 32;
+
+/// What a cluster may gain in energy, in units of epsilon times the energy of its balls, what the
+/// impulse of one of its contacts may lose in momentum, in units of epsilon times the sum of |m v|,
+/// and how fast its pairs may still approach, in units of epsilon times its largest speed: the
+/// tolerance of the reflections (impact/symmetric.hpp), which stop at what approaches by less.
+inline constexpr int kClusterEnergy = 512;
+inline constexpr int kClusterMomentum = 512;
+inline constexpr int kClusterClosing = 512;
+
 /// Contacts of a cluster approach if stopping the pair would take more than the square of this many
 /// epsilon out of the cluster's energy, in units of that of |y|, the root of twice the energy:
 /// impulses of one reflection err by some epsilon of |y|, those of several dependent contacts by
