@@ -102,9 +102,9 @@ inline constexpr int kClusterGain = 8;
 /// integral divides its terms by their number and so errs by less than epsilon.
 inline constexpr int kChebyshevTail = 16;
 
-/// |F| at its minimum in a rim's field below this many wide epsilon of its terms is no more than
-/// their rounding (NUMERICS 3.2): some ten operations of 5/4 each. Whether such a ball gets over
-/// the saddle cannot be told.
-inline constexpr int kRimBalance = 16;
+/// |F| at the saddle of a rim's field below this many wide epsilon of its terms is no more than
+/// their rounding (NUMERICS 3.2), 1/2 for each of some ten operations that go into a term and never
+/// add up. Whether such a ball gets over the saddle cannot be told.
+inline constexpr int kRimBalance = 2;
 
 }  // namespace osculo::math

@@ -11,7 +11,7 @@ namespace osculo::math {
 
 /// log 2 as an unevaluated sum, exact to 438 bits; each part serves a type of 53 bits or more.
 inline constexpr std::array<double, 8> kLogarithmOf2 = {
-    0x1.62e42fefa39efp-1,    0x1.abc9e3b39803fp-56,  0x1.7b57a079a1934p-111,
+    0x1.62e42fefa39efp-1,    0x1.abc9e3b39803fp-56,   0x1.7b57a079a1934p-111,
     -0x1.ace93a4ebe5d1p-165, -0x1.23a2a82ea0c24p-219, 0x1.d881b7aeb2615p-274,
     0x1.9552fb4afa1b1p-328,  0x1.da5d5c6b82704p-385};
 

@@ -10,8 +10,8 @@ namespace osculo::motion {
 /// leaves, falls in, or swings back for the second time: exact but for rounding.
 ///
 /// Energy and angular momentum about the hole are those of the start; the time is a quadrature
-/// (NUMERICS 3.2), here of series that are told at every upper limit, so that the place at a time is
-/// the inverse of one. Relative error of time and swept angle <= 1e-13 of those of the stored
+/// (NUMERICS 3.2), here of series that are told at every upper limit, so that the place at a time
+/// is the inverse of one. Relative error of time and swept angle <= 1e-13 of those of the stored
 /// start, also beside the separatrix, for what cancels is formed in wide precision. Some
 /// allocations in the constructor, none elsewhere.
 template <math::Scalar S>
@@ -64,12 +64,12 @@ private:
         S radius;
         math::WidePoint<S> position;
         Vec velocity;
-        Vec out;         ///< from the hole to the ball, unit
-        S unit_time;     ///< sqrt(r / g) [s]
-        S unit_speed;    ///< sqrt(g r) [m/s]
-        S moment;        ///< L [r unit_speed]
+        Vec out;       ///< from the hole to the ball, unit
+        S unit_time;   ///< sqrt(r / g) [s]
+        S unit_speed;  ///< sqrt(g r) [m/s]
+        S moment;      ///< L [r unit_speed]
         bool inwards;
-        bool fallen;     ///< it is where balls fall in
+        bool fallen;  ///< it is where balls fall in
         RimField<S> field;
 
         Start(const geometry::Rim<S>& hole, const S& g, const S& r, const math::WidePoint<S>& at,
@@ -77,8 +77,7 @@ private:
             : Start(hole, g, r, at, v, math::wide_difference<S>(at, hole.center)) {}
         Start(const geometry::Rim<S>& hole, const S& g, const S& r, const math::WidePoint<S>& at,
               const Vec& v, const math::WidePoint<S>& x)
-            : Start(hole, g, r, at, v, x,
-                    math::wide_square_root<S>(Wide(x.x * x.x + x.y * x.y)),
+            : Start(hole, g, r, at, v, x, math::wide_square_root<S>(Wide(x.x * x.x + x.y * x.y)),
                     math::wide_square_root<S>(math::wide_product<S>(g, r))) {}
         Start(const geometry::Rim<S>& hole, const S& g, const S& r, const math::WidePoint<S>& at,
               const Vec& v, const math::WidePoint<S>& x, const Wide& d, const Wide& speed)
@@ -98,10 +97,9 @@ private:
 
         [[nodiscard]] RimPlace<S> tilt() const {
             const S z = math::narrow(field.start());
-            return {z, S(S(1) - z), field.rim()};
+            return {z, S(S(1) - z), field.least_distance()};
         }
-        [[nodiscard]] static Wide tilt_of(const geometry::Rim<S>& hole, const Wide& d,
-                                          const S& r) {
+        [[nodiscard]] static Wide tilt_of(const geometry::Rim<S>& hole, const Wide& d, const S& r) {
             return math::wide_quotient(Wide(Wide(hole.radius) - d), Wide(r));
         }
         [[nodiscard]] static Wide radial_of(const math::WidePoint<S>& x, const Vec& v,
@@ -117,8 +115,8 @@ private:
     };
 
     explicit RimPaperMotion(const Start& start)
-        : RimPaperMotion(start, start.fallen ? RimCourse<S>{}
-                                             : rim_course<S>(start.field, start.inwards)) {}
+        : RimPaperMotion(
+              start, start.fallen ? RimCourse<S>{} : rim_course<S>(start.field, start.inwards)) {}
     RimPaperMotion(const Start& start, const RimCourse<S>& course)
         : start_(start),
           outcome_(course.outcome),

@@ -40,8 +40,7 @@ public:
     [[nodiscard]] Hand at(const S& t) const {
         const Stretch& stretch = stretch_at(t);
         const S x = when(stretch, S(t - stretch.from));
-        const RimAlong<S> along =
-            panels_[stretch.panel].at(S(stretch.middle + x * stretch.half));
+        const RimAlong<S> along = panels_[stretch.panel].at(S(stretch.middle + x * stretch.half));
         return {along.place, along.tilt_rate,
                 S(stretch.angle_from + math::chebyshev_value<S>(stretch.angle, x))};
     }

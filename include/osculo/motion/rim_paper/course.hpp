@@ -33,24 +33,26 @@ struct RimExtrema {
     S minimum{0};
     S maximum{1};
 
-    RimExtrema(const S& rim, const S& moment_square) {
-        struct Balance {
-            S rim, moment_square;
-            [[nodiscard]] S operator()(const S& z) const {
-                const RimPlace<S> p(z, S(S(1) - z), rim);
-                return p.q * p.c * p.d * p.d * p.d - moment_square;
-            }
-            [[nodiscard]] S slope(const S& z) const {
-                const RimPlace<S> p(z, S(S(1) - z), rim);
-                return S(2) / (S(1) + z * z) * p.d * p.d *
-                       ((S(1) - S(2) * p.q * p.q) * p.d - S(3) * p.q * p.c * p.c);
-            }
-        };
+    /// q c d^3 - L^2.
+    struct Balance {
+        S least, moment_square;
+        [[nodiscard]] S operator()(const S& z) const {
+            const RimPlace<S> p(z, S(S(1) - z), least);
+            return p.q * p.c * p.d * p.d * p.d - moment_square;
+        }
+        [[nodiscard]] S slope(const S& z) const {
+            const RimPlace<S> p(z, S(S(1) - z), least);
+            return S(2) / (S(1) + z * z) * p.d * p.d *
+                   ((S(1) - S(2) * p.q * p.q) * p.d - S(3) * p.q * p.c * p.c);
+        }
+    };
+
+    RimExtrema(const S& rim, const S& least, const S& moment_square) {
         if (!(moment_square > S(0))) {
             exist = true;
             return;
         }
-        const Balance balance{rim, moment_square};
+        const Balance balance{least, moment_square};
         // The maximum of the left side: 5 q^3 - 2 R q^2 - 4 q + R = 0.
         const math::Cubic<S> peak{rim, S(-4), S(S(-2) * rim), S(5)};
         const S q = math::bracketed_root<S>(peak, S(0), S(1), false);
@@ -83,17 +85,18 @@ class RimSurvey {
 public:
     RimSurvey(const RimField<S>& field, bool inwards)
         : field_(field),
-          extrema_(field.rim(), field.moment_square()),
+          extrema_(field.rim(), field.least_distance(), field.moment_square()),
           start_(math::narrow(field.start())),
           begins_at_turn_(field.turns_at_start()),
           inwards_(inwards),
+          maximum_(polished(extrema_.maximum)),
           outer_(extrema_.exist ? survey_saddle() : Part{}),
           inner_(survey_end()) {}
 
     /// Follows the ball.
     [[nodiscard]] RimCourse<S> follow() {
         RimCourse<S> course;
-        bool inside = !extrema_.exist || start_ > extrema_.maximum;
+        bool inside = !extrema_.exist || maximum_ < field_.start();
         for (;;) {
             const Part& part = inside ? inner_ : outer_;
             RimPanel<S> panel = part.panel;
@@ -109,7 +112,7 @@ private:
     /// The part of the field around a minimum of F.
     struct Part {
         RimPanel<S> panel{};
-        Wide origin{};  ///< z of the anchor
+        Wide origin{};           ///< z of the anchor
         bool uncertain = false;  ///< whether F > 0 at the minimum
     };
 
@@ -119,29 +122,52 @@ private:
         return ratio < S(1) ? math::square_root<S>(ratio) : S(1);
     }
 
+    /// A place where the slope vanishes, to all digits: the ball may be very close to it.
+    [[nodiscard]] Wide polished(const S& extremum) const {
+        Wide z(extremum);
+        if (!(extremum > S(0) && extremum < S(1))) return z;
+        const S least = field_.least_distance();
+        const S d = RimPlace<S>(extremum, S(S(1) - extremum), least).d;
+        const typename RimExtrema<S>::Balance balance{least, field_.moment_square()};
+        const S bend = balance.slope(extremum);
+        for (int i = 0; i < 2; ++i) z = z - math::narrow(field_.half_slope(z)) * d * d * d / bend;
+        return z;
+    }
+
+    /// F at a maximum so small that the motion is a circle but for rounding: taken as so much.
+    [[nodiscard]] S least_swing() const {
+        return S(1024) * field_.value(field_.start()).noise +
+               math::wide_epsilon<S>() * field_.moment_square();
+    }
+
     /// Anchors the part at its minimum.
-    void set_minimum(Part& part, const S& z) const {
-        part.origin = Wide(z);
+    void set_minimum(Part& part, const Wide& z) const {
+        part.origin = z;
         part.panel.anchor = field_.anchor(part.origin);
         part.panel.turns = false;
     }
 
-    /// Anchors the part at the turn beside its minimum, where F < 0; F > 0 at the distance [most].
-    void set_turn(Part& part, int side, const S& most) const {
+    /// Anchors the part at the turn between its minimum, where F < 0, and [high], where F > 0.
+    void set_turn(Part& part, int side, const Wide& high) const {
         RimPanel<S>& panel = part.panel;
-        const BesideAnchor<S> f{panel.anchor, S(side)};
-        const S distance =
-            f(most) > S(0) ? math::bracketed_root<S>(f, S(0), most, true) : most;
         const Wide minimum = part.origin;
-        // Newton's steps with all digits: F from the start, whatever cancels beside the minimum.
-        Wide turn = minimum + S(side) * distance;
+        const S most = math::abs<S>(math::narrow(Wide(high - minimum)));
+        // To be told from where F is closest to 0, for there it is known to the most digits.
+        RimAnchor<S> top = field_.anchor(high);
+        top.value = std::max<S>(top.value, least_swing());
+        const bool low = -panel.anchor.value < top.value;
+        const BesideAnchor<S> f{low ? panel.anchor : top, S(low ? side : -side)};
+        const S distance =
+            (f(most) > S(0)) == low ? math::bracketed_root<S>(f, S(0), most, low) : most;
+        // Newton's steps with all digits: F from the start, whatever cancels here.
+        Wide turn = low ? minimum + S(side) * distance : high + S(-side) * distance;
         for (int i = 0; i < 3; ++i) {
             const S step = math::narrow(field_.value(turn).value) /
                            (S(2) * math::narrow(field_.half_slope(turn)) *
                             RimPlace<S>(math::narrow(turn), math::narrow(Wide(Wide(S(1)) - turn)),
-                                        field_.rim())
+                                        field_.least_distance())
                                 .steepness());
-            if (math::abs<S>(step) > distance / S(8)) break;  // it starts there, to rounding
+            if (!(math::abs<S>(step) < distance / S(8))) break;  // a circle, to rounding
             turn = turn - step;
         }
         part.origin = turn;
@@ -154,7 +180,7 @@ private:
 
     [[nodiscard]] Part survey_saddle() const {
         Part part;
-        set_minimum(part, extrema_.minimum);
+        set_minimum(part, polished(extrema_.minimum));
         RimPanel<S>& panel = part.panel;
         panel.side = 1;
         S& value = panel.anchor.value;
@@ -162,13 +188,8 @@ private:
         part.uncertain = math::abs<S>(value) <= noise;
         if (part.uncertain) value = noise;
         if (value < S(0)) {
-            const S offset = math::narrow(Wide(field_.start() - part.origin));
-            if (offset < S(0)) {
-                set_turn(part, -1, S(-offset));
-            } else {
-                set_turn(part, 1,
-                         std::min<S>(offset, S(extrema_.maximum - extrema_.minimum)));
-            }
+            const bool kept_outside = field_.start() < part.origin;
+            set_turn(part, kept_outside ? -1 : 1, kept_outside ? field_.start() : maximum_);
             return part;
         }
         const RimPlace<S>& p = panel.anchor.place;
@@ -177,18 +198,17 @@ private:
         const S half_bend =
             ((S(1) - S(2) * p.q * p.q) / p.c - S(3) * field_.moment_square() / (dd * dd)) *
             (slope * slope);
-        panel.e = width(value, half_bend);
+        panel.e = std::max<S>(width(value, half_bend), math::wide_epsilon<S>());
         return part;
     }
 
     [[nodiscard]] Part survey_end() const {
         Part part;
-        set_minimum(part, S(1));
+        set_minimum(part, Wide(S(1)));
         RimPanel<S>& panel = part.panel;
         panel.side = -1;
         if (panel.anchor.value < S(0)) {
-            const S outermost = extrema_.exist ? std::max<S>(start_, extrema_.maximum) : start_;
-            set_turn(part, -1, S(S(1) - outermost));
+            set_turn(part, -1, extrema_.exist ? maximum_ : field_.start());
         } else {
             const S& d = panel.anchor.place.d;
             panel.e =
@@ -208,7 +228,7 @@ private:
     }
     /// |u| where the panel begins: at the start of all or where the parts meet.
     [[nodiscard]] S begin(const Part& part) const {
-        if (!at_start_) return variable(part, Wide(extrema_.maximum));
+        if (!at_start_) return variable(part, maximum_);
         return begins_here(part) ? S(0) : variable(part, field_.start());
     }
     [[nodiscard]] bool begins_here(const Part& part) const {
@@ -242,7 +262,7 @@ private:
             course.outcome = RimOutcome::exit;
             return true;
         }
-        const S meeting = variable(outer_, Wide(extrema_.maximum));
+        const S meeting = variable(outer_, maximum_);
         if (panel.turns) {  // kept inside
             if (!inwards_ || turns_at_once) return pass_turn(panel, course, meeting);
             panel.to = meeting;
@@ -265,8 +285,7 @@ private:
             course.outcome = RimOutcome::capture;
             return true;
         }
-        const S outwards =
-            extrema_.exist ? variable(inner_, Wide(extrema_.maximum)) : leave(inner_);
+        const S outwards = extrema_.exist ? variable(inner_, maximum_) : leave(inner_);
         course.outcome = RimOutcome::exit;
         if (inwards_ || begins_here(inner_)) {
             return pass_turn(panel, course, outwards) || !extrema_.exist;
@@ -280,6 +299,7 @@ private:
     S start_;
     bool begins_at_turn_;
     bool inwards_;
+    Wide maximum_;  ///< z where F is largest between saddle and end; 1 without a moment
     bool at_start_ = true;
     int turns_ = 0;
     Part outer_;

@@ -21,11 +21,12 @@ struct RimPlace {
     S q, c, d;
 
     RimPlace() = default;
-    RimPlace(const S& at, const S& before_end, const S& rim) : z(at), to_end(before_end) {
+    /// [least]: d where balls fall in, R - r.
+    RimPlace(const S& at, const S& before_end, const S& least) : z(at), to_end(before_end) {
         const S norm = S(1) + z * z;
         q = S(2) * z / norm;
         c = to_end * (S(1) + z) / norm;
-        d = rim - q;
+        d = least + to_end * to_end / norm;
     }
     /// dq / dz.
     [[nodiscard]] S steepness() const { return S(2) * c / (S(1) + z * z); }
@@ -42,14 +43,14 @@ template <math::Scalar S>
 /// them: at distances y = z - z_anchor it is formed from differences that do not cancel.
 template <math::Scalar S>
 struct RimAnchor {
-    S rim;            ///< R
+    S least;          ///< R - r
     S moment_square;  ///< L^2
     RimPlace<S> place;
     S value;  ///< F
     S slope;  ///< dF / dq
 
     [[nodiscard]] RimPlace<S> at(const S& y) const {
-        return {S(place.z + y), S(place.to_end - y), rim};
+        return {S(place.z + y), S(place.to_end - y), least};
     }
 
     /// (F(p) - value) / (q_p - q) for p = at(y), not at z = 1 if the anchor is there.
@@ -57,8 +58,8 @@ struct RimAnchor {
         const S tilt = y * mean_steepness<S>(p, place);  // q_p - q
         const S tangent = (p.q + place.q) / (p.c + place.c);
         const S change = -tilt * tangent;  // c_p - c
-        const S pull = place.c * (tilt + tangent * change) +
-                       S(2) / S(3) * tangent * (change * change);
+        const S pull =
+            place.c * (tilt + tangent * change) + S(2) / S(3) * tangent * (change * change);
         const S& d = place.d;
         const S swing = tilt * (S(3) * d - S(2) * tilt) / (p.d * p.d * d * d * d);
         return slope + (pull - moment_square * swing);
@@ -69,7 +70,6 @@ struct RimAnchor {
         const RimPlace<S> p = at(y);
         return value + y * mean_steepness<S>(p, place) * mean_slope(p, y);
     }
-
 };
 
 /// The field as a ball with a given motion sees it, in wide precision.
@@ -92,6 +92,8 @@ public:
     [[nodiscard]] const Wide& start() const { return z_; }  ///< z
     [[nodiscard]] bool turns_at_start() const { return !(math::narrow(start_value_) > S(0)); }
     [[nodiscard]] S rim() const { return math::narrow(rim_); }
+    /// R - r.
+    [[nodiscard]] S least_distance() const { return math::narrow(Wide(rim_ - Wide(S(1)))); }
     [[nodiscard]] S moment_square() const { return math::narrow(moment_square_); }
 
     /// F at z >= 0, and how much of it may be rounding.
@@ -119,11 +121,9 @@ public:
     }
 
     [[nodiscard]] RimAnchor<S> anchor(const Wide& z) const {
-        return {rim(),
-                moment_square(),
-                RimPlace<S>(math::narrow(z), math::narrow(Wide(Wide(S(1)) - z)), rim()),
-                math::narrow(value(z).value),
-                S(S(2) * math::narrow(half_slope(z)))};
+        return {least_distance(), moment_square(),
+                RimPlace<S>(math::narrow(z), math::narrow(Wide(Wide(S(1)) - z)), least_distance()),
+                math::narrow(value(z).value), S(S(2) * math::narrow(half_slope(z)))};
     }
 
 private:
