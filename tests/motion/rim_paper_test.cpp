@@ -13,6 +13,7 @@ namespace {
 using namespace osculo;
 using namespace osculo::support;
 using motion::RimOutcome;
+using Vec = math::Vec<double>;
 
 /// A ball at (x, 0) beside a hole around the origin.
 struct Case {
@@ -252,6 +253,40 @@ TEST(RimPaper, KeepsEnergyAndAngularMomentum) {
                 << c;
         }
     }
+}
+
+/// What certified segments rest on: the parabola at t is left by less than the bound says, at once
+/// and near the fall too, where the third derivative has none.
+TEST(RimPaper, StaysWithinItsJerkBoundOfItsParabola) {
+    Random random(10);
+    double tightest = 0;
+    for (int i = 0; i < 3000; ++i) {
+        const Case c = random_case(random);
+        const auto m = c.motion<double>();
+        if (!(m.duration() > 0)) continue;
+        const double left =
+            random.coin() ? random.unit<double>() : random.magnitude<double>(-20, -1);
+        const double t = m.duration() * (1 - left);
+        const double h =
+            m.duration() * left * (random.coin() ? 1 : random.magnitude<double>(-12, -1));
+        const double jerk = m.jerk_bound(t, h);
+        auto parabola = m.at(t);
+        const auto later = m.at(std::min(t + h, m.duration()));
+        parabola.shift(h);
+        const math::WidePoint<double> off{later.position.x - parabola.position.x,
+                                          later.position.y - parabola.position.y};
+        const double noise = 1e-15 * c.rim + 1e-15 * h * m.most_speed();
+        EXPECT_LE(math::norm<double>(off.rounded()), jerk * h * h * h / 6 + noise) << c << " " << t;
+        EXPECT_LE(math::norm<double>(Vec(later.velocity - parabola.velocity)),
+                  jerk * h * h / 2 + 1e-14 * m.most_speed())
+            << c << " " << t << " " << h;
+        if (jerk * h * h * h > 1e-9 * c.rim) {
+            tightest =
+                std::max(tightest, math::norm<double>(off.rounded()) / (jerk * h * h * h / 6));
+        }
+        EXPECT_LE(math::norm<double>(later.velocity), m.most_speed());
+    }
+    EXPECT_GT(tightest, 0.2);
 }
 
 /// Every scalar type against the widest.

@@ -7,6 +7,7 @@
 #include "osculo/motion/cloth.hpp"
 #include "osculo/motion/rolling.hpp"
 #include "osculo/motion/uniform.hpp"
+#include "osculo/motion/with_rims.hpp"
 
 /// The ready-made scene types, narrowest first.
 namespace osculo::engine {
@@ -14,6 +15,9 @@ namespace osculo::engine {
 using NoObstacles = Obstacles<>;
 using Walls = Obstacles<geometry::Segment, geometry::Point>;
 using Table = Obstacles<geometry::Rim, geometry::Segment, geometry::Arc, geometry::Point>;
+/// A table with rims that pull.
+using PullingTable = Obstacles<geometry::PullingRim, geometry::Rim, geometry::Segment,
+                               geometry::Arc, geometry::Point>;
 
 /// Free flight with restitution.
 template <math::Scalar S, class ObstacleKinds, template <class> class RecorderKind,
@@ -25,6 +29,11 @@ using UniformScene = SceneType<S, motion::Uniform, ObstacleKinds, impact::Restit
 template <math::Scalar S, template <class> class RecorderKind>
 using RollingScene = SceneType<S, motion::Rolling, Table, impact::Restitution, impact::Sequential,
                                RecorderKind, AllPairs>;
+
+/// Rims that pull; rolling to rest, or free flight if nothing slows balls down.
+template <math::Scalar S, template <class> class RecorderKind>
+using RimsScene = SceneType<S, motion::WithRims<motion::Rolling>, PullingTable, impact::Restitution,
+                            impact::Sequential, RecorderKind, AllPairs>;
 
 /// Impact laws of balls with spin: friction between balls, and a cushion law.
 template <template <class> class Cushion>
@@ -47,6 +56,10 @@ template <math::Scalar S>
 using RollingEvents = StateRecorder<S, motion::Rolling::State<S>, false>;
 template <math::Scalar S>
 using RollingPieces = StateRecorder<S, motion::Rolling::State<S>, true>;
+template <math::Scalar S>
+using RimsEvents = StateRecorder<S, motion::WithRims<motion::Rolling>::State<S>, false>;
+template <math::Scalar S>
+using RimsPieces = StateRecorder<S, motion::WithRims<motion::Rolling>::State<S>, true>;
 template <math::Scalar S>
 using ClothEvents = StateRecorder<S, motion::Cloth::State<S>, false>;
 template <math::Scalar S>

@@ -56,6 +56,28 @@ public:
                 S(duration_ - t)};
     }
 
+    /// At least the change of the acceleration from t on, per time, for h [s]: |third derivative|
+    /// but for the end of a fall, where that grows like one over the root of the time left and the
+    /// change of a root is at most its argument's over the root. [m/s^3]
+    [[nodiscard]] S jerk_bound(const S& t, const S& h) const {
+        const RimPlace<S> p =
+            t > S(0) && duration_ > S(0)
+                ? clock_.at(std::min<S>(S(t / start_.unit_time), clock_.duration())).place
+                : start_.tilt();
+        // The pull is g sin(2 tilt) / 2; the tilt is a convex function of its sine q, which changes
+        // by at most so much:
+        const S change = most_speed_ * h / start_.radius;
+        const S highest = p.q + change;
+        const S steepest = highest < S(1) ? S(S(1) / math::square_root<S>(S(1) - highest * highest))
+                                          : S(S(4) / p.c);
+        const S nearest = std::max<S>(p.d - change, start_.field.least_distance());
+        const S turning = math::abs<S>(start_.moment) / (nearest * nearest) / start_.unit_time;
+        return start_.gravity * (most_speed_ / start_.radius * steepest + turning / S(2));
+    }
+    /// At least the speed, and at least half the acceleration.
+    [[nodiscard]] const S& most_speed() const { return most_speed_; }
+    [[nodiscard]] const geometry::Rim<S>& rim() const { return start_.rim; }
+
 private:
     /// What is known before anything is integrated.
     struct Start {
@@ -121,7 +143,9 @@ private:
         : start_(start),
           outcome_(course.outcome),
           clock_(course, start.moment),
-          duration_(clock_.duration() * start.unit_time) {}
+          duration_(clock_.duration() * start.unit_time),
+          // All that the field can give, and the rounding of the sum.
+          most_speed_(S(1.001) * (math::norm<S>(start.velocity) + start.unit_speed)) {}
 
     [[nodiscard]] Vec half_acceleration(const RimPlace<S>& place, const Vec& out) const {
         return (-start_.gravity * place.q * place.c / S(2)) * out;
@@ -131,6 +155,7 @@ private:
     RimOutcome outcome_;
     RimClock<S> clock_;
     S duration_;
+    S most_speed_;
 };
 
 }  // namespace osculo::motion
