@@ -283,6 +283,9 @@ bool Engine<Type>::carry_out(const Scheduled& event) {
     if constexpr (Type::Motion::kTransitions) {
         if (event.kind == kTransition) {
             change_phase(event.first);
+            if constexpr (kHasRims<typename Type::Motion>) {
+                return !scene_.bodies[event.first].state.lost;
+            }
             return true;
         }
     }
@@ -357,6 +360,9 @@ bool Engine<Type>::meet_obstacle(const Contact& contact) {
     if constexpr (kEffect<Obstacle> == Effect::capture) {
         body.present = false;
         broad_phase_.remove(i);
+    } else if constexpr (kEffect<Obstacle> == Effect::entry) {
+        Type::Motion::template enter<S>(body.state, contact.second);
+        begin_motion(body);
     } else {
         resolve_cushion(body, normal);
     }
@@ -392,6 +398,12 @@ void Engine<Type>::change_phase(BallIndex i) {
     Type::Motion::template transition<S>(scene_.motion, body.state);
     body.last_kind = kTransition;
     ++body.age;
+    if constexpr (kHasRims<typename Type::Motion>) {
+        if (body.state.fallen) {
+            body.present = false;
+            broad_phase_.remove(i);
+        }
+    }
     if constexpr (Recorder::kEvents) {
         recorder_.events.push_back(
             {now_,
