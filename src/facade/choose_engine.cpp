@@ -23,7 +23,7 @@ bool covers(const ReadyEngine& engine, const Scene& scene, const Options& option
 
 }  // namespace
 
-const ReadyEngine& narrowest_engine(const Scene& scene, const Options& options) {
+const ReadyEngine& narrowest_engine(const Scene& scene, const Options& options, bool batch) {
     const std::array groups{double_open_engines(),
                             double_walls_engines(),
                             double_table_engines(),
@@ -38,7 +38,8 @@ const ReadyEngine& narrowest_engine(const Scene& scene, const Options& options) 
                             digits100_engines()};
     for (const auto& group : groups) {
         for (const ReadyEngine& engine : group) {
-            if (covers(engine, scene, options)) return engine;
+            const bool suits = batch ? engine.make_player != nullptr : engine.run != nullptr;
+            if (suits && covers(engine, scene, options)) return engine;
         }
     }
     // Every precision has engines with every obstacle, every recorder and every motion law.

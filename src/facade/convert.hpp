@@ -23,18 +23,22 @@ public:
         const std::vector<engine::Body<Type>>& bodies) const {
         std::vector<FinalBall> result(bodies.size());
         for (std::size_t n = 0; n < bodies.size(); ++n) {
-            const engine::Body<Type>& body = bodies[n];
             const std::uint32_t index = compiled_.balls[n];
-            FinalBall& ball = result[index];
-            ball.state = state(body.state, index);
-            if (!body.present) {
-                ball.fate = BallFate::captured;
-                ball.rim = compiled_.rims[body.last_other];
-            } else if (Type::Motion::template at_rest<S>(body.state)) {
-                ball.fate = BallFate::rest;
-            }
+            result[index] = final_ball(bodies[n], index);
         }
         return result;
+    }
+
+    [[nodiscard]] FinalBall final_ball(const engine::Body<Type>& body, std::uint32_t index) const {
+        FinalBall ball;
+        ball.state = state(body.state, index);
+        if (!body.present) {
+            ball.fate = BallFate::captured;
+            ball.rim = compiled_.rims[body.last_other];
+        } else if (Type::Motion::template at_rest<S>(body.state)) {
+            ball.fate = BallFate::rest;
+        }
+        return ball;
     }
 
     template <class Memory>

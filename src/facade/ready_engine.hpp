@@ -1,9 +1,11 @@
 #pragma once
 
+#include <memory>
 #include <span>
 #include <string>
 
 #include "osculo/simulate.hpp"
+#include "shot_player.hpp"
 
 namespace osculo::facade {
 
@@ -20,8 +22,10 @@ struct ReadyEngine {
     Record record;   ///< at most this
     bool cell_grid;  ///< for many balls; gives the same results as all pairs
     std::string (*name)();
-    /// Runs a valid scene. With `audit`, requires record == pieces.
+    /// Runs a valid scene. With `audit`, requires record == pieces. Null if it is for batches only.
     Run (*run)(const Scene& scene, bool audit);
+    /// Makes a player for batches. Null if it does not see the contacts that they count.
+    std::unique_ptr<ShotPlayer> (*make_player)(const Scene& scene);
 };
 
 /// The engines of one translation unit each, narrowest first.
@@ -39,6 +43,7 @@ struct ReadyEngine {
 [[nodiscard]] std::span<const ReadyEngine> digits100_engines();
 
 /// The narrowest engine that covers the scene.
-[[nodiscard]] const ReadyEngine& narrowest_engine(const Scene& scene, const Options& options);
+[[nodiscard]] const ReadyEngine& narrowest_engine(const Scene& scene, const Options& options,
+                                                  bool batch = false);
 
 }  // namespace osculo::facade

@@ -1,11 +1,13 @@
 #pragma once
 
+#include <memory>
 #include <string>
 #include <type_traits>
 #include <utility>
 
 #include "compile_scene.hpp"
 #include "convert.hpp"
+#include "engine_player.hpp"
 #include "osculo/engine/scenes.hpp"
 #include "ready_engine.hpp"
 #include "text.hpp"
@@ -118,12 +120,15 @@ template <class Type>
     engine.cushion = kCushionLaw<typename Type::Impact>;
     engine.segments = Name::kSegments;
     engine.arcs_and_rims = Name::kArcsAndRims;
-    engine.record = Type::Recorder::kPieces   ? Record::pieces
-                    : Type::Recorder::kEvents ? Record::events
-                                              : Record::none;
+    engine.record = Type::Recorder::kPieces                           ? Record::pieces
+                    : Type::Recorder::kEvents && !kContactsOnly<Type> ? Record::events
+                                                                      : Record::none;
     engine.cell_grid = Type::BroadPhase::kCrossings;
     engine.name = [] { return engine_name<Type>(Name::kName, PrecisionOf<S>::kName); };
-    engine.run = &run_engine<Type>;
+    engine.run = nullptr;
+    engine.make_player = nullptr;
+    if constexpr (!kContactsOnly<Type>) engine.run = &run_engine<Type>;
+    if constexpr (Type::Recorder::kEvents) engine.make_player = &make_engine_player<Type>;
     return engine;
 }
 

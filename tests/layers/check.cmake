@@ -23,7 +23,7 @@ foreach(layer ${layers})
 endforeach()
 
 # The facade's headers show neither templates of the core nor its libraries.
-foreach(name status scene run outcome simulate presets io version)
+foreach(name status scene run outcome simulate batch presets io version)
   file(STRINGS ${INCLUDE_DIR}/osculo/${name}.hpp lines
        REGEX "^#include (<Eigen|<boost|\"osculo/[a-z]*/)")
   foreach(line ${lines})

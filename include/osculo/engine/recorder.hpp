@@ -61,6 +61,22 @@ struct EventRecorder {
     }
 };
 
+/// Keeps what met and when, but no states: enough to count what came of a run.
+template <math::Scalar S>
+struct ContactRecorder {
+    static constexpr const char* kName = "contacts";
+    static constexpr bool kEvents = true;
+    static constexpr bool kPieces = false;
+    struct NoState {};
+    std::vector<EventRecord<S, NoState>> events;
+
+    void clear() { events.clear(); }
+    template <class State>
+    [[nodiscard]] static NoState remember(const State&) {
+        return {};
+    }
+};
+
 /// Keeps the events and every ball's pieces, in order of their ends.
 template <math::Scalar S>
 struct PieceRecorder {
