@@ -47,13 +47,17 @@ std::array<std::string, 2> Run::ids(const Event& event) const {
 std::optional<BallState> Run::at(std::uint32_t index, double t) const {
     for (const Piece& piece : pieces) {
         if (piece.ball != index || t < piece.from || t > piece.to) continue;
-        const math::WidePoint<double> start{math::two_sum(piece.position.x, piece.position_low.x),
-                                            math::two_sum(piece.position.y, piece.position_low.y)};
-        const double wait = math::duration<double>(math::two_sum(piece.from, piece.from_low),
-                                                   math::Instant<double>(t));
-        return state_in(piece, scene.balls[index].radius, start, wait);
+        return at(piece, t);
     }
     return std::nullopt;
+}
+
+BallState Run::at(const Piece& piece, double t) const {
+    const math::WidePoint<double> start{math::two_sum(piece.position.x, piece.position_low.x),
+                                        math::two_sum(piece.position.y, piece.position_low.y)};
+    const double wait =
+        math::duration<double>(math::two_sum(piece.from, piece.from_low), math::Instant<double>(t));
+    return state_in(piece, scene.balls[piece.ball].radius, start, wait);
 }
 
 }  // namespace osculo
