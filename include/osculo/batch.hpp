@@ -148,6 +148,8 @@ public:
     /// fit; std::bad_alloc; what control.progress throws.
     void run(const Starts& starts, BatchResult& result, const BatchControl& control = {});
 
+    /// The scene that it was made for.
+    [[nodiscard]] const Scene& scene() const;
     /// The engine that plays, as in EngineInfo::name.
     [[nodiscard]] std::string engine_name() const;
     [[nodiscard]] unsigned threads() const;

@@ -65,7 +65,8 @@ private:
 
 struct Batch::Implementation {
     Implementation(const Scene& scene, const BatchOptions& batch_options)
-        : base(facade::batch_base(scene, batch_options.limits)),
+        : given(scene),
+          base(facade::batch_base(scene, batch_options.limits)),
           cue(scene.cue.value_or(Cue{})),
           options(batch_options),
           engine(facade::narrowest_engine(base, {options.precision, options.record}, true)),
@@ -81,6 +82,7 @@ struct Batch::Implementation {
     void run(std::size_t shots, const SetUp& set_up, BatchResult& result,
              const BatchControl& control);
 
+    Scene given;
     Scene base;  ///< valid, without a cue
     Cue cue;     ///< without a strike
     bool has_valid_cue = false;
@@ -170,6 +172,10 @@ void Batch::run(const Starts& starts, BatchResult& result, const BatchControl& c
         return table.set_up(starts, shot);
     };
     implementation_->run(shots, set_up, result, control);
+}
+
+const Scene& Batch::scene() const {
+    return implementation_->given;
 }
 
 std::string Batch::engine_name() const {
