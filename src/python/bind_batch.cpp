@@ -1,15 +1,19 @@
+#include <array>
 #include <memory>
 #include <mutex>
 #include <optional>
 #include <stdexcept>
+#include <type_traits>
 
 #include <pybind11/functional.h>
 #include <pybind11/numpy.h>
 #include <pybind11/stl.h>
 
 #include "osculo/batch.hpp"
+#include "osculo/noise.hpp"
 #include "python/batch_columns.hpp"
 #include "python/bindings.hpp"
+#include "python/noise.hpp"
 #include "python/options.hpp"
 
 namespace osculo::python {
@@ -84,6 +88,24 @@ public:
         return play(starts_in(starts, present, scene_.balls.size()), progress);
     }
 
+    py::dict success(const std::array<double, 5>& shot, const std::vector<std::string>& pots,
+                     const std::optional<std::string>& first_hit, bool no_scratch,
+                     const py::object& noise, std::uint64_t draws, std::uint64_t seed, double width,
+                     double confidence) {
+        const Goal goal = goal_of(pots, first_hit, no_scratch);
+        SuccessOptions options;
+        options.noise = noise_from(noise);
+        options.draws = draws;
+        options.seed = seed;
+        options.width = width;
+        options.confidence = confidence;
+        const Strike strike{shot[0], shot[1], shot[2], shot[3], shot[4]};
+        const Progress nobody;
+        const BatchControl control = control_of(nobody);
+        return dict_of(exclusively(
+            [&] { return success_probability(batch_, strike, goal, options, control); }));
+    }
+
     [[nodiscard]] const Scene& scene() const { return scene_; }
     [[nodiscard]] const Batch& batch() const { return batch_; }
 
@@ -106,17 +128,49 @@ private:
         return options;
     }
 
+    // Works without Python's lock, which other threads may have meanwhile, but not on this batch.
+    template <class Work>
+    std::invoke_result_t<Work> exclusively(Work work) {
+        const py::gil_scoped_release release;
+        const std::unique_lock lock(playing_, std::try_to_lock);
+        if (!lock) throw std::runtime_error("the batch is being played already");
+        return work();
+    }
+
     template <class Shots>
     py::dict play(const Shots& shots, const Progress& progress) {
         auto result = std::make_unique<BatchResult>();
         const BatchControl control = control_of(progress);
-        {
-            const py::gil_scoped_release release;
-            const std::unique_lock lock(playing_, std::try_to_lock);
-            if (!lock) throw std::runtime_error("the batch is being played already");
-            batch_.run(shots, *result, control);
-        }
+        exclusively([&] { batch_.run(shots, *result, control); });
         return columns_of(std::move(result));
+    }
+
+    [[nodiscard]] std::uint32_t ball_named(const std::string& id) const {
+        for (std::uint32_t i = 0; i < scene_.balls.size(); ++i) {
+            if (scene_.balls[i].id == id) return i;
+        }
+        throw py::key_error("the scene has no ball '" + id + "'");
+    }
+
+    [[nodiscard]] Goal goal_of(const std::vector<std::string>& pots,
+                               const std::optional<std::string>& first_hit, bool no_scratch) const {
+        Goal goal;
+        for (const std::string& ball : pots) goal.pots.push_back({.ball = ball_named(ball)});
+        if (first_hit) goal.first_hit = ball_named(*first_hit);
+        goal.no_scratch = no_scratch;
+        return goal;
+    }
+
+    static py::dict dict_of(const Success& success) {
+        py::dict result;
+        result["probability"] = success.probability;
+        result["low"] = success.low;
+        result["high"] = success.high;
+        result["draws"] = success.draws;
+        result["successes"] = success.successes;
+        result["impossible"] = success.impossible;
+        result["unfinished"] = success.unfinished;
+        return result;
     }
 
     Scene scene_;
@@ -174,6 +228,16 @@ played by another thread. Raises SceneError.)") +
     const std::string starts = std::string(kStarts) + kColumns;
     type.def("release", &Table::release, "starts"_a, "present"_a = py::none(),
              "progress"_a = Progress(), starts.c_str());
+    type.def("success", &Table::success, "shot"_a, py::kw_only(), "pots"_a,
+             "first_hit"_a = py::none(), "no_scratch"_a = true, "noise"_a = 1.0,
+             "draws"_a = std::uint64_t{10000}, "seed"_a = std::uint64_t{0}, "width"_a = 0.0,
+             "confidence"_a = 0.95,
+             R"(How often a strike succeeds that nobody executes exactly.
+
+shot: speed, azimuth, elevation, offset of the tip, as a row of strike(). pots: ids of balls that all
+have to fall. first_hit: id of the ball that the cue ball has to hit first. no_scratch: the cue ball
+must not fall. noise: as in perturb(). draws: at most; width: stop when the interval is not wider.
+Gives probability, its interval from low to high, draws, successes, impossible, unfinished.)");
     type.def_property_readonly("scene", &Table::scene, "The table that is played.");
     type.def_property_readonly(
         "engine", [](const Table& table) { return table.batch().engine_name(); },

@@ -11,5 +11,6 @@ PYBIND11_MODULE(_osculo, module) {
     osculo::python::bind_presets(module);
     osculo::python::bind_run(module);
     osculo::python::bind_simulate(module);
+    osculo::python::bind_noise(module);
     osculo::python::bind_batch(module);
 }

@@ -22,11 +22,13 @@ from ._osculo import (
     __version__,
     parse,
     parse_msgpack,
+    perturb,
     preset,
     presets,
     simulate,
     simulate_batch,
     table,
+    tournament_noise,
 )
 
 __all__ = [
@@ -43,11 +45,13 @@ __all__ = [
     "load",
     "parse",
     "parse_msgpack",
+    "perturb",
     "preset",
     "presets",
     "simulate",
     "simulate_batch",
     "table",
+    "tournament_noise",
 ]
 
 

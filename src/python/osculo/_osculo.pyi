@@ -1,4 +1,4 @@
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
 from typing import Any, Optional, Union
 
 import numpy
@@ -104,6 +104,19 @@ class Batch:
         present: Optional[numpy.typing.ArrayLike] = None,
         progress: _Progress = None,
     ) -> dict[str, _Array]: ...
+    def success(
+        self,
+        shot: Sequence[float],
+        *,
+        pots: Sequence[str],
+        first_hit: Optional[str] = None,
+        no_scratch: bool = True,
+        noise: Union[float, dict[str, float]] = 1.0,
+        draws: int = 10000,
+        seed: int = 0,
+        width: float = 0.0,
+        confidence: float = 0.95,
+    ) -> dict[str, Any]: ...
     @property
     def scene(self) -> Scene: ...
     @property
@@ -147,3 +160,12 @@ def simulate_batch(
     chunk: int = 0,
     progress: _Progress = None,
 ) -> dict[str, _Array]: ...
+def tournament_noise(magnitude: float = 1.0) -> dict[str, float]: ...
+def perturb(
+    shots: numpy.typing.ArrayLike,
+    *,
+    draws: int,
+    radius: float,
+    noise: Union[float, dict[str, float]] = 1.0,
+    seed: int = 0,
+) -> _Doubles: ...
