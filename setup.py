@@ -1,7 +1,7 @@
 """What pyproject.toml cannot say: the module is compiled by CMake.
 
-Needs CMake, a C++20 compiler and the libraries of .ci/setup. OSCULO_BUILD_DIR names a CMake build tree
-with OSCULO_PYTHON to take the module from, instead of compiling everything anew.
+Needs CMake, a C++20 compiler and the libraries of .ci/setup. OSCULO_BUILD_DIR names a CMake build
+tree with OSCULO_PYTHON to take the module from, instead of compiling everything anew.
 """
 
 import os

@@ -1,4 +1,4 @@
-"""The stubs have the arguments of the functions; mypy's stubtest cannot see those of compiled ones."""
+"""The stubs have the arguments of the functions: stubtest cannot see those of compiled ones."""
 
 import ast
 import inspect

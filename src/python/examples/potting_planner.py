@@ -1,15 +1,15 @@
 #!/usr/bin/env python3
 """A planner of pots: tries shots on the exact table before it plays one.
 
-For a random layout of eight-ball it makes candidates (every own ball at every pocket, directly, with
-several speeds and a fan of directions around the ghost ball; and a sweep of all directions, which finds
-banks, combinations and luck), plays each of them without noise and a few times with it, and the best ones more and
-more often. It then executes its choice with noise that it has not seen.
+For a layout of eight-ball it makes candidates (every own ball into every pocket, directly, with
+several speeds and a fan of directions around the ghost ball; and a sweep of all directions, which
+finds banks, combinations and luck), plays each of them without noise, the better ones a few times
+with it, and the best ones more often. The choice is then executed with noise that nobody has seen.
 
     potting_planner.py --layouts 500
 
-compares it with aiming at random and with the ghost ball alone: pots per attempt with noise of the
-computational pool tournaments.
+compares it with aiming at random and with the ghost ball alone: pots per attempt with the noise of
+the computational pool tournaments.
 """
 
 import argparse
@@ -26,6 +26,7 @@ FAN = np.radians([-1.2, -0.6, -0.3, 0.0, 0.3, 0.6, 1.2])  # around the ghost bal
 SWEEP = 360  # directions that are tried without any plan
 # How many of the best are kept, and how often each of them is played with noise.
 ROUNDS = ((160, 4), (40, 16), (10, 64))
+PLANNING_SEEDS = 1_000_000  # of noise, from here on; below are those of the execution
 
 
 def shots(azimuth, speed):
@@ -49,7 +50,7 @@ def blocked(start, end, others, reach):
 
 
 class Aim:
-    """A direct pot: the cue ball is sent to where it touches the ball on the side away from the pocket."""
+    """A direct pot: the cue ball goes to where it touches the ball opposite to the pocket."""
 
     def __init__(self, scene, ball, pocket):
         index = scene.ids.index(ball)
@@ -61,16 +62,16 @@ class Aim:
         ghost = target - to_pocket * (diameter / distance)
         to_ghost = ghost - cue
         reach = np.hypot(*to_ghost)
-        others = np.array([p for i, p in zip(scene.ids, scene.positions) if i not in ("cue", ball)])
-        others = others.reshape(-1, 2)
+        is_other = [name not in ("cue", ball) for name in scene.ids]
+        others = scene.positions[is_other]
         self.azimuth = math.atan2(to_ghost[1], to_ghost[0])
         self.cosine = float(to_ghost @ to_pocket / (reach * distance)) if reach > 0 else -1.0
         self.possible = self.cosine > 0.1
         self.clear = not blocked(cue, ghost, others, diameter) and not blocked(
             target, pocket, others, diameter
         )
-        # An error of the cue's direction grows by the way to the ghost ball over the diameter and the
-        # cosine of the cut, and then along the way to the pocket.
+        # An error of the cue's direction grows by the way to the ghost ball over the diameter and
+        # the cosine of the cut, and then along the way to the pocket.
         self.difficulty = (
             reach * distance / (diameter * self.cosine) if self.possible else math.inf
         )
@@ -129,9 +130,9 @@ class Planner:
         for number, (kept, draws) in enumerate(ROUNDS):
             best = np.argsort(-score, kind="stable")[:kept]
             chosen = chosen[best]
-            # Seeds apart from those of the execution.
+            unseen = PLANNING_SEEDS + len(ROUNDS) * seed + number
             noisy = osculo.perturb(
-                chosen, draws=draws, radius=radius, noise=self.noise, seed=1_000_000 + 10 * seed + number
+                chosen, draws=draws, radius=radius, noise=self.noise, seed=unseen
             )
             made = eightball.judge(scene, batch.strike(noisy.reshape(-1, 5)))
             # What an earlier round has seen counts a little, to part those that are equal.
@@ -149,7 +150,8 @@ def executed(scene, shot, noise, attempts, seed):
 
 
 def compare(layouts, attempts, noise, balls, first_seed=0, progress=print):
-    """A row for each player: name, pots per attempt, half its 95 % interval, s and shots per decision."""
+    """A row for each player: name, pots per attempt and half its 95 % interval (over layouts),
+    seconds and shots per decision."""
     players = (RandomAim(), GhostBall(), Planner(noise))
     rates = np.zeros((len(players), layouts))
     seconds = np.zeros(len(players))
@@ -164,8 +166,8 @@ def compare(layouts, attempts, noise, balls, first_seed=0, progress=print):
             tried[i] += count
             rates[i, layout] = executed(scene, shot, noise, attempts, seed)
         if progress and (layout + 1) % 50 == 0:
-            progress(f"{layout + 1} layouts: " + ", ".join(f"{r:.3f}" for r in rates[:, : layout + 1].mean(axis=1)))
-    half = 1.96 * rates.std(axis=1, ddof=1) / math.sqrt(layouts) if layouts > 1 else rates[:, 0] * 0
+            progress(f"{layout + 1} layouts done")
+    half = 1.96 * rates.std(axis=1, ddof=1) / math.sqrt(layouts)
     return [
         (player.name, rates[i].mean(), half[i], seconds[i] / layouts, tried[i] / layouts)
         for i, player in enumerate(players)
@@ -177,7 +179,7 @@ def main():
     parser.add_argument("--layouts", type=int, default=500)
     parser.add_argument("--attempts", type=int, default=20, help="executions of each choice")
     parser.add_argument("--balls", type=int, default=15, help="object balls on the table")
-    parser.add_argument("--noise", type=float, default=1.0, help="magnitude of the tournaments' noise")
+    parser.add_argument("--noise", type=float, default=1.0, help="times that of the tournaments")
     parser.add_argument("--seed", type=int, default=0, help="of the first layout")
     arguments = parser.parse_args()
     rows = compare(

@@ -6,8 +6,8 @@ __all__ = ["FormatError", "SceneError"]
 class SceneError(ValueError):
     """A scene that breaks a rule.
 
-    `path` is the member that does, e.g. "balls[3].mass"; `rule` what it must be, e.g. "must be > 0";
-    `value` what it is, e.g. "-1", or "" where there is nothing to show.
+    `path` is the member that does, e.g. "balls[3].mass"; `rule` what it must be, e.g.
+    "must be > 0"; `value` what it is, e.g. "-1", or "" where there is nothing to show.
     """
 
     def __init__(self, path: str, rule: str, value: str) -> None:

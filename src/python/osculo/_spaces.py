@@ -15,7 +15,11 @@ class Box:
     """Arrays within bounds; the part of gymnasium.spaces.Box that is bounded on all sides."""
 
     def __init__(
-        self, low: Any, high: Any, shape: Optional[tuple[int, ...]] = None, dtype: Any = numpy.float32
+        self,
+        low: Any,
+        high: Any,
+        shape: Optional[tuple[int, ...]] = None,
+        dtype: Any = numpy.float32,
     ) -> None:
         self.dtype = numpy.dtype(dtype)
         self.shape = numpy.shape(low) if shape is None else shape

@@ -3,11 +3,11 @@
 The shooter has the solids, "1" to "7", and the "8" when none of them is left on the table.
 """
 
-from typing import Any, Optional
+from typing import Any
 
 import numpy
 
-from ._osculo import SHOT_FATES, Scene, table
+from ._osculo import SHOT_FATES, SHOT_STATUSES, Scene, table
 
 __all__ = ["BALLS", "SOLIDS", "STRIPES", "bed", "judge", "random_layout", "targets"]
 
@@ -24,7 +24,8 @@ _GAP = 1e-3  # between balls, and between balls and noses, at least [m]
 
 def _rims(scene: Scene) -> tuple[_Array, _Array]:
     rims = scene.to_dict()["rims"]
-    return numpy.array([rim["center"] for rim in rims]), numpy.array([rim["radius"] for rim in rims])
+    centers = numpy.array([rim["center"] for rim in rims])
+    return centers, numpy.array([rim["radius"] for rim in rims])
 
 
 def bed(scene: Scene) -> _Array:
@@ -34,7 +35,7 @@ def bed(scene: Scene) -> _Array:
 
 
 def place(scene: Scene, taken: _Array, rng: numpy.random.Generator) -> _Array:
-    """A place [m] at random on the bed of a pool table, clear of balls at `taken` and of pockets."""
+    """A place [m] at random on the bed of a pool table, clear of balls at `taken` and pockets."""
     centers, radii = _rims(scene)
     low = _RADIUS + _GAP
     high = bed(scene) - low
@@ -76,16 +77,16 @@ def targets(scene: Scene) -> tuple[str, ...]:
     return solids or tuple(ball for ball in scene.ids if ball == "8")
 
 
-def judge(scene: Scene, result: "dict[str, _Array]", own: Optional[tuple[str, ...]] = None) -> _Array:
+def judge(scene: Scene, result: "dict[str, _Array]") -> _Array:
     """Which shots of a batch are legal pots: the first ball hit is an own one, an own one falls,
     and neither the cue ball nor, before its time, the "8" does. Shape (N,)."""
-    own = targets(scene) if own is None else own
+    own = targets(scene)
     is_own = numpy.array([ball in own for ball in scene.ids])
-    must_stay = numpy.array([ball == "cue" or (ball == "8" and ball not in own) for ball in scene.ids])
+    must_stay = numpy.array([ball in ("cue", "8") and ball not in own for ball in scene.ids])
     fell = result["fate"] == SHOT_FATES["captured"]
     first = result["first_hit"]
     hit_own = (first >= 0) & is_own[first]
-    came_to_rest = result["status"] == 0
+    came_to_rest = result["status"] == SHOT_STATUSES["at_rest"]
     legal: _Array = (
         came_to_rest & hit_own & fell[:, is_own].any(axis=1) & ~fell[:, must_stay].any(axis=1)
     )

@@ -1,11 +1,12 @@
-"""An environment for learning to pot balls, in the form of Gymnasium's (which need not be installed).
+"""An environment for learning to pot balls, in the form of Gymnasium's, which need not be there.
 
+    import osculo.env
     env = osculo.env.EightBallPotting()
     observation, info = env.reset(seed=1)
     observation, reward, terminated, truncated, info = env.step(env.action_space.sample())
 
-The player alone at a table of eight-ball, with the solids. An episode begins with a random layout and
-ends when the "8" falls or after so many shots. See EightBallPotting for actions and rewards.
+The player alone at a table of eight-ball, with the solids. An episode begins with a random layout
+and ends when the "8" falls or after so many shots.
 """
 
 import math
@@ -26,31 +27,32 @@ __all__ = ["EightBallPotting"]
 
 _Array = numpy.ndarray[Any, Any]
 
-# Of an action: speed of the cue [m/s], azimuth [rad], offset of the tip to the left and upwards [ball
-# radii].
+# Of an action: speed of the cue [m/s], azimuth [rad], offset of the tip to the left and upwards
+# [ball radii].
 _LOW = numpy.array([0.2, -math.pi, -0.5, -0.5], dtype=numpy.float32)
 _HIGH = numpy.array([8.0, math.pi, 0.5, 0.5], dtype=numpy.float32)
-_LARGEST_OFFSET = 0.5  # below the miscue limit, with the noise of the tip left to do as it likes
+_LARGEST_OFFSET = 0.5  # below the miscue limit, which noise may still pass
 
 
 class EightBallPotting(_Env):  # type: ignore[misc]
     """Potting the solids, and then the "8", one shot after another.
 
-    Action: float32 (4,): speed of the cue [m/s], 0.2 to 8; azimuth [rad], from x towards y, -pi to pi;
-    offset of the tip to the left and upwards [ball radii], brought within 0.5 of the middle. The cue is
-    as level as what is behind the ball lets it be. Values out of range are taken as the nearest in it.
+    Action: float32 (4,): speed of the cue [m/s], 0.2 to 8; azimuth [rad], from x towards y, -pi to
+    pi; offset of the tip to the left and upwards [ball radii], brought within 0.5 of the middle.
+    The cue is as level as what is behind the ball lets it be. Values out of range are taken as the
+    nearest in it.
 
-    Observation: float32 (16, 3), a row for each of osculo.eightball.BALLS: position over the width of
-    the bed, over its length, and 1 (0, 0, 0 for a ball that is not on the table).
+    Observation: float32 (16, 3), a row for each of osculo.eightball.BALLS: position over the width
+    of the bed, over its length, and 1; or 0, 0, 0 for a ball that is not on the table.
 
-    Reward: 1 for every solid that falls in a legal shot, 1 for the "8" after the last solid; -1 for a
-    foul: the cue ball falls, hits nothing or hits a wrong ball first, or the stick has no room; -1 for
-    an "8" that falls too early, which ends the episode. What falls in a foul stays down. A cue ball that fell
-    is placed at random.
+    Reward: 1 for every solid that falls in a legal shot, and for the "8" after the last of them;
+    -1 for a foul: the cue ball falls, hits nothing or hits a wrong ball first, or the stick has no
+    room or miscues; -1 for an "8" that falls too early. What falls in a foul stays down. A cue ball
+    that fell is placed at random.
 
-    table: name of a pool table. balls: object balls at the start. noise: magnitude of the noise of the
-    computational pool tournaments, 0 for none. most_shots: in an episode. `info` has "legal", "potted"
-    (ids) and "status" of the shot.
+    table: name of a pool table. balls: object balls at the start. noise: magnitude of the noise of
+    the computational pool tournaments, 0 for none. most_shots: in an episode. `info` has "legal",
+    "potted" (ids) and "status" of the shot.
     """
 
     metadata: dict[str, Any] = {"render_modes": ["svg"]}
@@ -85,8 +87,8 @@ class EightBallPotting(_Env):  # type: ignore[misc]
     def reset(
         self, *, seed: Optional[int] = None, options: Optional[dict[str, Any]] = None
     ) -> tuple[_Array, dict[str, Any]]:
-        """A new episode. The same seed gives the same layout, noise and placements; without one they
-        go on from the last. options: {"scene": Scene} begins with that one."""
+        """A new episode. The same seed gives the same layout, noise and placements; without one
+        they go on from the last. options: {"scene": Scene} begins with that one."""
         if seed is not None:
             self._rng = numpy.random.default_rng(seed)
         drawn = int(self._rng.integers(2**31))
