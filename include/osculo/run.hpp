@@ -43,6 +43,7 @@ enum class Phase {
     spinning,  ///< on the spot, about the vertical
     rolling,
     sliding,
+    resisted,  ///< slowing down by drag
 };
 
 /// The phase as it is written in files: "uniform", "rest", ...
@@ -53,6 +54,7 @@ enum class Phase {
         case Phase::spinning: return "spinning";
         case Phase::rolling: return "rolling";
         case Phase::sliding: return "sliding";
+        case Phase::resisted: return "resisted";
     }
     return "uniform";
 }
@@ -89,6 +91,14 @@ struct Event {
 ///   spin x, y of a rolling ball (-vy, vx) / radius, else spin + spin_rate T
 ///   spin z    towards 0 by spin_rate[2] T, and 0 from there on
 ///
+/// In the phase `resisted` the centre is at position + velocity sigma(T) and the velocity q(T)
+/// times what it was, with q' = -(m + k q + c q^2), q(0) = 1, sigma the integral of q, and m, k, c
+/// = resistance[0] / v, resistance[1], resistance[2] v for v = |velocity|; the acceleration is that
+/// at `from`. In closed form, with l = sqrt(k^2 / 4 - m c) and A = e^(-k T / 2) sinh(l T) / l,
+/// A' = e^(-k T / 2) (cosh(l T) - k / (2 l) sinh(l T)), B = (1 - k A - A') / (m c), g = A - m B:
+/// sigma = log(1 + c g) / c, q = (A' - m A) / (1 + c g). motion/slowing.hpp has the forms in which
+/// coefficients may be 0.
+///
 /// A position is the sum of its two parts, like an instant.
 struct Piece {
     std::uint32_t ball = 0;  ///< index into scene.balls
@@ -102,9 +112,14 @@ struct Piece {
     Point acceleration;  ///< [m/s^2]
     Spin spin{};         ///< at `from` [rad/s]
     Spin spin_rate{};    ///< [rad/s^2]; the third is >= 0
+    /// constant [m/s^2], linear [1/s] and quadratic [1/m] deceleration, in the phase `resisted`
+    std::array<double, 3> resistance{};
     Phase phase = Phase::uniform;
     friend bool operator==(const Piece&, const Piece&) = default;
 };
+
+/// Where a ball of that radius [m] is in the piece, and how it moves, [wait] s after its beginning.
+[[nodiscard]] BallState state_in(const Piece& piece, double radius, double wait);
 
 enum class BallFate { rest, moving, captured };
 

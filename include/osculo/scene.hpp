@@ -25,12 +25,13 @@ using Spin = std::array<double, 3>;
 /// A circular body.
 struct Ball {
     std::string id;
-    double mass = 1;       ///< [kg], > 0
-    double radius = 1;     ///< [m], > 0
-    Point position;        ///< of the centre [m]
-    Point velocity;        ///< [m/s]
-    Spin spin{};           ///< [rad/s]; carried along unchanged by laws that do not use it
-    double inertia = 0.4;  ///< k = I / (m r^2), in (0, 1]: 2/5 for a solid sphere; used with cloth
+    double mass = 1;    ///< [kg], > 0
+    double radius = 1;  ///< [m], > 0
+    Point position;     ///< of the centre [m]
+    Point velocity;     ///< [m/s]
+    Spin spin{};        ///< [rad/s]; carried along unchanged by laws that do not use it
+    double inertia =
+        0.4;  ///< k = I / (m r^2), in (0, 1]: 2/5 for a solid sphere; used with friction
     friend bool operator==(const Ball&, const Ball&) = default;
 };
 
@@ -84,6 +85,28 @@ struct RollingMotion {
     friend bool operator==(const RollingMotion&, const RollingMotion&) = default;
 };
 
+/// What balls move through: it slows each of them by its own mass and radius.
+struct Medium {
+    double density = 0;           ///< [kg/m^3], >= 0; air: 1.2
+    double viscosity = 0;         ///< [Pa s], >= 0; air: 1.8e-5
+    double drag_coefficient = 0;  ///< >= 0; a sphere in the turbulent range: 0.47
+    /// Balls roll: what slows them has to slow their rotation too, so that of the force 1 / (1 + k)
+    /// is left, 5/7 for a solid sphere.
+    bool rolling = false;
+    friend bool operator==(const Medium&, const Medium&) = default;
+};
+
+/// Slowing down along a straight line at constant + linear v + quadratic v^2, each >= 0, without
+/// regard to spin. A medium adds to linear 6 pi viscosity radius / mass (Stokes) and to quadratic
+/// density drag_coefficient pi radius^2 / (2 mass).
+struct ResistedMotion {
+    double constant = 0;   ///< [m/s^2]
+    double linear = 0;     ///< [1/s]
+    double quadratic = 0;  ///< [1/m]
+    std::optional<Medium> medium;
+    friend bool operator==(const ResistedMotion&, const ResistedMotion&) = default;
+};
+
 /// A ball on a cloth: sliding, rolling, spinning, rest. Frictions >= 0, each may be 0.
 struct ClothMotion {
     double sliding_friction = 0.2;
@@ -93,11 +116,13 @@ struct ClothMotion {
 };
 
 /// How balls move while nothing touches them.
-using MotionLaw = std::variant<UniformMotion, RollingMotion, ClothMotion>;
+using MotionLaw = std::variant<UniformMotion, RollingMotion, ClothMotion, ResistedMotion>;
 
 enum class BallBallLaw {
     restitution,  ///< frictionless: the normal relative velocity is reversed, times restitution
-    frictional,   ///< the same with Coulomb friction between the balls; needs cloth
+    /// The same with Coulomb friction between the balls: in space on cloth; without, of discs, for
+    /// which only spins about the vertical count.
+    frictional,
 };
 
 /// What happens when two balls meet.
@@ -111,6 +136,7 @@ struct BallBallImpact {
 
 enum class CushionLaw {
     restitution,    ///< frictionless
+    frictional,     ///< restitution and friction on an upright face, of discs; not with cloth
     han_2005,       ///< restitution and friction at a nose above the ball's middle; needs cloth
     mathavan_2010,  ///< a nose that presses the ball into the cloth, which rubs too; needs cloth
     stronge,        ///< compliant along the cushion, so that spin can be reversed; needs cloth
@@ -120,6 +146,7 @@ enum class CushionLaw {
 [[nodiscard]] constexpr std::string_view to_string(CushionLaw law) {
     switch (law) {
         case CushionLaw::restitution: return "restitution";
+        case CushionLaw::frictional: return "frictional";
         case CushionLaw::han_2005: return "han_2005";
         case CushionLaw::mathavan_2010: return "mathavan_2010";
         case CushionLaw::stronge: return "stronge";
@@ -132,7 +159,7 @@ struct CushionImpact {
     CushionLaw law = CushionLaw::restitution;
     double restitution = 1;  ///< in [0, 1]
     double friction = 0;     ///< >= 0; not for `restitution`
-    double height = 0;       ///< of the nose above the table [m], > 0; not for `restitution`
+    double height = 0;       ///< of the nose above the table [m], > 0; for the laws that need cloth
     /// Of ball and cloth during the impact, >= 0; for `mathavan_2010`. Left out: the cloth's own
     /// sliding friction.
     std::optional<double> cloth_friction{};

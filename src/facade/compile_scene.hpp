@@ -97,6 +97,27 @@ public:
     std::vector<std::string> names_;
 };
 
+/// How a ball slows down: what its motion law says and what a medium does to it.
+template <math::Scalar S>
+[[nodiscard]] motion::Resistance<S> compile_resistance(const Scene& scene, const Ball& ball) {
+    if (const auto* rolling = std::get_if<RollingMotion>(&scene.motion)) {
+        return {S(rolling->friction) * S(scene.gravity), S(0), S(0)};
+    }
+    if (!std::holds_alternative<ResistedMotion>(scene.motion)) return {};
+    const auto& law = std::get<ResistedMotion>(scene.motion);
+    motion::Resistance<S> result{S(law.constant), S(law.linear), S(law.quadratic)};
+    if (law.medium) {
+        const S mass(ball.mass);
+        const S radius(ball.radius);
+        const S pi = S(2) * math::quarter_turn<S>();
+        const S share = law.medium->rolling ? S(S(1) / (S(1) + S(ball.inertia))) : S(1);
+        result.linear += share * (S(6) * pi * S(law.medium->viscosity) * radius / mass);
+        result.quadratic += share * (S(law.medium->density) * S(law.medium->drag_coefficient) * pi *
+                                     radius * radius / (S(2) * mass));
+    }
+    return result;
+}
+
 /// The ball at the start, struck if the scene's cue strikes it.
 template <class Type>
 [[nodiscard]] engine::Body<Type> compile_ball(const Scene& scene, const Ball& ball) {
@@ -106,6 +127,9 @@ template <class Type>
     body.state.velocity = vec<S>(ball.velocity);
     body.mass = S(ball.mass);
     body.radius = S(ball.radius);
+    if constexpr (std::is_base_of_v<motion::Resisted, typename Type::Motion>) {
+        body.state.law = compile_resistance<S>(scene, ball);
+    }
     if constexpr (Type::Motion::kSpin) {
         body.state.spin = {S(ball.spin[0]), S(ball.spin[1]), S(ball.spin[2])};
         body.state.radius = S(ball.radius);
@@ -139,6 +163,27 @@ void compile_laws(const Scene& scene, engine::SceneData<Type>& data) {
             {S(balls.friction[0]), S(balls.friction[1]), S(balls.friction[2])}};
         data.friction.ball_cushion =
             compile_cushion<decltype(data.friction.ball_cushion)>(cushion, cloth);
+    }
+    if constexpr (std::is_same_v<typename Type::Motion, motion::Disc>) {
+        const bool frictional = cushion.law == CushionLaw::frictional;
+        data.friction.ball_ball = {
+            S(balls.restitution),
+            {S(balls.friction[0]), S(balls.friction[1]), S(balls.friction[2])}};
+        data.friction.ball_cushion = {S(cushion.restitution),
+                                      frictional ? S(cushion.friction) : S(0)};
+    }
+    if constexpr (std::is_base_of_v<motion::Resisted, typename Type::Motion>) {
+        // As fast as a ball is that has all the energy there is.
+        S energy(0);
+        for (const auto& body : data.bodies) {
+            energy += body.mass * math::dot<S>(body.state.velocity, body.state.velocity) / S(2);
+        }
+        for (const auto& body : data.bodies) {
+            const S speed = math::square_root<S>(S(2) * energy / body.mass);
+            const auto& [constant, linear, quadratic] = body.state.law;
+            data.motion.largest =
+                std::max<S>(data.motion.largest, constant + speed * (linear + speed * quadratic));
+        }
     }
     if constexpr (Type::Motion::kTransitions) data.contact_time = S(scene.impacts.contact_time);
 }

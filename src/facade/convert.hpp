@@ -52,7 +52,8 @@ public:
             event.point = point(record.before[0].position.rounded());
             event.before[0] = state(record.before[0], event.ball);
             event.after[0] = state(record.after[0], event.ball);
-            event.from = phase(record.before[0]);
+            // At rest already, but for the transition.
+            event.from = kResisted ? Phase::resisted : phase(record.before[0]);
             event.to = phase(record.after[0]);
             return event;
         }
@@ -82,7 +83,12 @@ public:
         const math::Vec<S> acceleration = S(2) * record.state.half_acceleration;
         piece.acceleration = point(acceleration);
         piece.phase = phase(record.state);
-        if constexpr (Type::Motion::kSpin) {
+        if constexpr (kResisted) {
+            const auto& law = record.state.law;
+            piece.resistance = {math::to_double<S>(law.constant), math::to_double<S>(law.linear),
+                                math::to_double<S>(law.quadratic)};
+        }
+        if constexpr (kCloth) {
             piece.spin_rate = {math::to_double<S>(record.state.spin_rate.x()),
                                math::to_double<S>(record.state.spin_rate.y()),
                                math::to_double<S>(record.state.spin_decay)};
@@ -140,6 +146,10 @@ public:
     }
 
 private:
+    static constexpr bool kCloth = std::is_same_v<typename Type::Motion, motion::Cloth>;
+    static constexpr bool kDisc = std::is_same_v<typename Type::Motion, motion::Disc>;
+    static constexpr bool kResisted = std::is_base_of_v<motion::Resisted, typename Type::Motion>;
+
     [[nodiscard]] std::string id(const engine::Thing& thing) const {
         const EventKind event_kind = kind(thing.kind);
         const std::uint32_t index = other(event_kind, thing.index);
@@ -190,7 +200,7 @@ private:
     }
     template <class State>
     [[nodiscard]] static Phase phase(const State& state) {
-        if constexpr (Type::Motion::kSpin) {
+        if constexpr (kCloth) {
             switch (state.phase) {
                 case motion::ClothPhase::rest: return Phase::rest;
                 case motion::ClothPhase::spinning: return Phase::spinning;
@@ -198,7 +208,14 @@ private:
                 case motion::ClothPhase::sliding: return Phase::sliding;
             }
         } else if constexpr (Type::Motion::kTransitions) {
-            return Type::Motion::template at_rest<S>(state) ? Phase::rest : Phase::rolling;
+            if (Type::Motion::template at_rest<S>(state)) return Phase::rest;
+            if constexpr (kResisted) {
+                const auto& law = state.law;
+                const bool free =
+                    law.constant == S(0) && law.linear == S(0) && law.quadratic == S(0);
+                return kDisc && free ? Phase::uniform : Phase::resisted;
+            }
+            return Phase::rolling;
         }
         return Phase::uniform;
     }

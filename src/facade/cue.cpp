@@ -12,8 +12,6 @@ namespace osculo::facade {
 namespace {
 
 constexpr double kFastestCue = 1e150;
-/// Sines and cosines are good for a little more (math/trigonometry.hpp) [rad].
-constexpr double kLargestAzimuth = 1e12;
 
 /// Throws if the stick would have to pass through something.
 void validate_stick(const Scene& scene) {

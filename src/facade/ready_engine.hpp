@@ -10,12 +10,13 @@
 namespace osculo::facade {
 
 /// The alternatives of MotionLaw, in its order.
-enum class MotionKind { uniform, rolling, cloth };
+enum class MotionKind { uniform, rolling, cloth, resisted };
 
 /// One of the engines that the library contains, and what it covers.
 struct ReadyEngine {
     Precision precision;
     MotionKind motion;
+    bool discs;  ///< balls turn about the vertical, and rub: for every motion law but cloth
     CushionLaw cushion;
     bool segments;  ///< and end points
     bool arcs_and_rims;
@@ -33,6 +34,8 @@ struct ReadyEngine {
 [[nodiscard]] std::span<const ReadyEngine> double_walls_engines();
 [[nodiscard]] std::span<const ReadyEngine> double_table_engines();
 [[nodiscard]] std::span<const ReadyEngine> double_rolling_engines();
+[[nodiscard]] std::span<const ReadyEngine> double_resisted_engines();
+[[nodiscard]] std::span<const ReadyEngine> double_disc_engines();
 [[nodiscard]] std::span<const ReadyEngine> double_cloth_engines();
 [[nodiscard]] std::span<const ReadyEngine> double_cloth_han_engines();
 [[nodiscard]] std::span<const ReadyEngine> double_cloth_mathavan_engines();

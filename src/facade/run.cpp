@@ -2,21 +2,40 @@
 
 #include "osculo/math/instant.hpp"
 #include "osculo/math/vec.hpp"
+#include "osculo/motion/slowing.hpp"
 
 namespace osculo {
-
 namespace {
 
 double decayed(double w, double loss) {
     return w > loss ? w - loss : w < -loss ? w + loss : 0.0;
 }
 
-BallState state_in(const Piece& piece, double radius, const math::WidePoint<double>& start,
-                   double wait) {
+math::WidePoint<double> start_of(const Piece& piece) {
+    return {math::two_sum(piece.position.x, piece.position_low.x),
+            math::two_sum(piece.position.y, piece.position_low.y)};
+}
+
+BallState resisted_state_in(const Piece& piece, double wait) {
+    const math::Vec<double> velocity{piece.velocity.x, piece.velocity.y};
+    const double speed = math::norm<double>(velocity);
+    if (!(speed > 0)) return {piece.position, piece.velocity, piece.spin};
+    const auto& [constant, linear, quadratic] = piece.resistance;
+    const motion::Slowed<double> now =
+        motion::Slowing<double>::of({constant, linear, quadratic}, speed).after(wait);
+    const math::Vec<double> p =
+        math::displaced<double>(start_of(piece), velocity, now.sigma).rounded();
+    return {{p.x(), p.y()}, {now.q * velocity.x(), now.q * velocity.y()}, piece.spin};
+}
+
+}  // namespace
+
+BallState state_in(const Piece& piece, double radius, double wait) {
+    if (piece.phase == Phase::resisted) return resisted_state_in(piece, wait);
     const math::Vec<double> velocity{piece.velocity.x, piece.velocity.y};
     const math::Vec<double> half_acceleration{piece.acceleration.x / 2, piece.acceleration.y / 2};
     const math::Vec<double> p =
-        math::displaced<double>(start, velocity, half_acceleration, wait).rounded();
+        math::displaced<double>(start_of(piece), velocity, half_acceleration, wait).rounded();
     const math::Vec<double> v = velocity + 2 * wait * half_acceleration;
     BallState state{{p.x(), p.y()}, {v.x(), v.y()}, piece.spin};
     if (piece.phase == Phase::rolling) {
@@ -28,8 +47,6 @@ BallState state_in(const Piece& piece, double radius, const math::WidePoint<doub
     state.spin[2] = decayed(piece.spin[2], piece.spin_rate[2] * wait);
     return state;
 }
-
-}  // namespace
 
 std::array<std::string, 2> Run::ids(const Event& event) const {
     const std::string& ball = scene.balls[event.ball].id;
@@ -53,11 +70,9 @@ std::optional<BallState> Run::at(std::uint32_t index, double t) const {
 }
 
 BallState Run::at(const Piece& piece, double t) const {
-    const math::WidePoint<double> start{math::two_sum(piece.position.x, piece.position_low.x),
-                                        math::two_sum(piece.position.y, piece.position_low.y)};
     const double wait =
         math::duration<double>(math::two_sum(piece.from, piece.from_low), math::Instant<double>(t));
-    return state_in(piece, scene.balls[piece.ball].radius, start, wait);
+    return state_in(piece, scene.balls[piece.ball].radius, wait);
 }
 
 }  // namespace osculo

@@ -108,15 +108,26 @@ template <>
 inline constexpr CushionLaw kCushionLaw<engine::WithFriction<impact::CushionHan2005>> =
     CushionLaw::han_2005;
 
+/// Of a law that serves one kind of motion.
+template <class Law>
+inline constexpr MotionKind kMotionKind = MotionKind::uniform;
+template <>
+inline constexpr MotionKind kMotionKind<motion::Rolling> = MotionKind::rolling;
+template <>
+inline constexpr MotionKind kMotionKind<motion::Resisted> = MotionKind::resisted;
+template <>
+inline constexpr MotionKind kMotionKind<motion::Disc> = MotionKind::resisted;
+template <>
+inline constexpr MotionKind kMotionKind<motion::Cloth> = MotionKind::cloth;
+
 template <class Type>
 [[nodiscard]] ReadyEngine ready_engine() {
     using S = typename Type::Scalar;
     using Name = ObstacleName<typename Type::ObstacleList>;
     ReadyEngine engine;
     engine.precision = PrecisionOf<S>::kPrecision;
-    engine.motion = std::is_same_v<typename Type::Motion, motion::Cloth>     ? MotionKind::cloth
-                    : std::is_same_v<typename Type::Motion, motion::Rolling> ? MotionKind::rolling
-                                                                             : MotionKind::uniform;
+    engine.motion = kMotionKind<typename Type::Motion>;
+    engine.discs = std::is_same_v<typename Type::Motion, motion::Disc>;
     engine.cushion = kCushionLaw<typename Type::Impact>;
     engine.segments = Name::kSegments;
     engine.arcs_and_rims = Name::kArcsAndRims;

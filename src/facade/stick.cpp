@@ -97,7 +97,8 @@ private:
 };
 
 const Ball* struck_ball(const Scene& scene) {
-    if (!scene.cue || compile_cue<double>(*scene.cue).fault() != impact::StrikeFault::none) {
+    if (!scene.cue || !(std::abs(scene.cue->azimuth) <= kLargestAzimuth) ||
+        compile_cue<double>(*scene.cue).fault() != impact::StrikeFault::none) {
         return nullptr;
     }
     const auto ball = std::ranges::find(scene.balls, scene.cue->ball, &Ball::id);

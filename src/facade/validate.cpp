@@ -132,6 +132,21 @@ void require_friction(double value, const char* path) {
     require(value >= 0 && value <= kLargest, path, "must be >= 0 and finite", value);
 }
 
+/// Friction without cloth is that of discs: nothing is said about their rolling or tumbling.
+void validate_discs(const Scene& scene) {
+    const bool rub = scene.impacts.ball_ball.law == BallBallLaw::frictional ||
+                     scene.impacts.ball_cushion.law == CushionLaw::frictional;
+    if (!rub || std::holds_alternative<ClothMotion>(scene.motion)) return;
+    for (std::size_t i = 0; i < scene.balls.size(); ++i) {
+        const Spin& spin = scene.balls[i].spin;
+        if (spin[0] == 0 && spin[1] == 0) continue;
+        throw SceneError(at("balls", i, ".spin"),
+                         "must be [0, 0, z] where there is friction but no cloth",
+                         concatenated("[", number_text(spin[0]), ", ", number_text(spin[1]), ", ",
+                                      number_text(spin[2]), "]"));
+    }
+}
+
 /// Frictions, and that only scenes with cloth ask for spin.
 void validate_friction(const Scene& scene) {
     const BallBallImpact& balls = scene.impacts.ball_ball;
@@ -139,6 +154,15 @@ void validate_friction(const Scene& scene) {
     const auto* cloth = std::get_if<ClothMotion>(&scene.motion);
     if (const auto* rolling = std::get_if<RollingMotion>(&scene.motion)) {
         require_friction(rolling->friction, "motion.friction");
+    }
+    if (const auto* resisted = std::get_if<ResistedMotion>(&scene.motion)) {
+        require_friction(resisted->constant, "motion.constant");
+        require_friction(resisted->linear, "motion.linear");
+        require_friction(resisted->quadratic, "motion.quadratic");
+        const Medium medium = resisted->medium.value_or(Medium{});
+        require_friction(medium.density, "motion.medium.density");
+        require_friction(medium.viscosity, "motion.medium.viscosity");
+        require_friction(medium.drag_coefficient, "motion.medium.drag_coefficient");
     }
     if (cloth != nullptr) {
         require_friction(cloth->sliding_friction, "motion.sliding_friction");
@@ -150,9 +174,16 @@ void validate_friction(const Scene& scene) {
             throw SceneError(path, "needs balls with spin, that is, the motion law cloth", value);
         }
     };
-    needs_cloth(balls.law == BallBallLaw::frictional, "impacts.ball_ball.law", "frictional");
-    needs_cloth(cushion.law != CushionLaw::restitution, "impacts.ball_cushion.law",
-                "a law with friction");
+    const bool upright = cushion.law == CushionLaw::frictional;
+    needs_cloth(cushion.law != CushionLaw::restitution && !upright, "impacts.ball_cushion.law",
+                "a law with the height of a nose");
+    if (upright && cloth != nullptr) {
+        throw SceneError("impacts.ball_cushion.law",
+                         "must not be frictional with cloth, where cushions have noses: "
+                         "han_2005, mathavan_2010 or stronge",
+                         "frictional");
+    }
+    validate_discs(scene);
     needs_cloth(scene.cue.has_value(), "cue", "a cue");
     for (const double f : balls.friction) require_friction(f, "impacts.ball_ball.friction");
     require(scene.impacts.contact_time >= 0 && scene.impacts.contact_time <= 1,
@@ -163,6 +194,7 @@ void validate_friction(const Scene& scene) {
     require(cushion.frequency_ratio > 1 && cushion.frequency_ratio < 2,
             "impacts.ball_cushion.frequency_ratio", "must be above 1 and below 2",
             cushion.frequency_ratio);
+    if (upright) return;
     for (const Ball& ball : scene.balls) {
         require(cushion.height > 0 && cushion.height < 2 * ball.radius,
                 "impacts.ball_cushion.height", "must be above 0 and below every ball's top",

@@ -78,11 +78,11 @@ std::array<BallState, 2> read_states(const Value& value, EventKind kind) {
 }
 
 Phase read_phase(const Value& value) {
-    static constexpr Phase kPhases[]{Phase::uniform, Phase::rest, Phase::spinning, Phase::rolling,
-                                     Phase::sliding};
+    static constexpr Phase kPhases[]{Phase::uniform, Phase::rest,    Phase::spinning,
+                                     Phase::rolling, Phase::sliding, Phase::resisted};
     static constexpr Names kPhaseNames{to_string(kPhases[0]), to_string(kPhases[1]),
                                        to_string(kPhases[2]), to_string(kPhases[3]),
-                                       to_string(kPhases[4])};
+                                       to_string(kPhases[4]), to_string(kPhases[5])};
     return kPhases[choice(value, kPhaseNames)];
 }
 
@@ -126,9 +126,9 @@ Event read_event(const Value& value, const Indices& indices) {
 }
 
 Piece read_piece(const Value& value, const Indices& indices) {
-    static constexpr Names kKeys{"ball",     "from", "from_low",     "to",
-                                 "to_low",   "law",  "position",     "position_low",
-                                 "velocity", "spin", "acceleration", "spin_rate"};
+    static constexpr Names kKeys{"ball",         "from",      "from_low",     "to",       "to_low",
+                                 "law",          "position",  "position_low", "velocity", "spin",
+                                 "acceleration", "spin_rate", "resistance"};
     const Fields fields(value, kKeys);
     Piece piece;
     piece.ball = indices.balls(fields.require("ball"));
@@ -143,6 +143,7 @@ Piece read_piece(const Value& value, const Indices& indices) {
     if (const auto a = fields.find("acceleration")) piece.acceleration = a->point();
     if (const auto spin = fields.find("spin")) piece.spin = read_spin(*spin);
     if (const auto rate = fields.find("spin_rate")) piece.spin_rate = read_spin(*rate);
+    if (const auto law = fields.find("resistance")) piece.resistance = law->numbers<3>();
     return piece;
 }
 

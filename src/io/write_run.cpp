@@ -57,6 +57,7 @@ void write_piece(JsonText& json, const Run& run, const Piece& piece) {
     members.rare("acceleration", piece.acceleration);
     members.rare("spin", piece.spin);
     members.rare("spin_rate", piece.spin_rate);
+    members.rare("resistance", piece.resistance);
     members.close();
 }
 

@@ -78,6 +78,7 @@ py::dtype piece_dtype() {
         .add<double>("acceleration", offsetof(Piece, acceleration), 2)
         .add<double>("spin", offsetof(Piece, spin), 3)
         .add<double>("spin_rate", offsetof(Piece, spin_rate), 3)
+        .add<double>("resistance", offsetof(Piece, resistance), 3)
         .add<int>("phase", offsetof(Piece, phase))
         .of_size(sizeof(Piece));
 }

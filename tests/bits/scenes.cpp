@@ -123,6 +123,31 @@ void play_cloth(const char* name, std::uint64_t seed) {
     run(name, 0.95, std::move(scene));
 }
 
+/// Discs that drag slows down and that rub.
+template <math::Scalar S>
+void play_discs(const char* name, std::uint64_t seed) {
+    using Type = engine::DiscScene<S, engine::NoRecorder>;
+    using Vec = math::Vec<S>;
+    engine::SceneData<Type> scene;
+    for (int k = 0; k < 12; ++k) {
+        engine::Body<Type> body;
+        body.radius = S(0.02 + 0.02 * next(seed));
+        body.mass = S(0.1 + next(seed));
+        body.state.radius = body.radius;
+        body.state.position = math::WidePoint<S>(
+            Vec(S(0.2 + 0.15 * (k % 4) + 0.02 * next(seed)), S(0.2 + 0.15 * (k / 4))));
+        body.state.velocity = {S(4 * next(seed) - 2), S(4 * next(seed) - 2)};
+        body.state.spin = {S(0), S(0), S(60 * next(seed) - 30)};
+        body.state.law = {S(0.1), S(next(seed)), S(2 * next(seed))};
+        scene.bodies.push_back(body);
+    }
+    scene.friction.ball_ball = {S(0.95), {S(0.1), S(0), S(0)}};
+    scene.friction.ball_cushion = {S(0.85), S(0.2)};
+    scene.contact_time = S(1e-4);
+    add_table(scene);
+    run(name, 0.95, std::move(scene));
+}
+
 }  // namespace
 
 int main() {
@@ -137,6 +162,10 @@ int main() {
         play_cloth<double>("cloth double", seed);
         play_cloth<long double>("cloth long double", seed);
         play_cloth<math::Quad>("cloth quad", seed);
+        play_discs<float>("discs float", seed);
+        play_discs<double>("discs double", seed);
+        play_discs<long double>("discs long double", seed);
+        play_discs<math::Quad>("discs quad", seed);
     }
     return 0;
 }

@@ -3,6 +3,7 @@
 #include "osculo/engine/audit/gaps.hpp"
 #include "osculo/engine/audit/histories.hpp"
 #include "osculo/engine/audit/impacts.hpp"
+#include "osculo/engine/audit/resisted.hpp"
 #include "osculo/engine/audit/result.hpp"
 
 namespace osculo::engine {

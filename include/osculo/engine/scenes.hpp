@@ -3,8 +3,10 @@
 #include "osculo/engine/engine.hpp"
 #include "osculo/impact/cushion_han_2005.hpp"
 #include "osculo/impact/cushion_simple.hpp"
+#include "osculo/impact/disc_friction.hpp"
 #include "osculo/impact/frictional.hpp"
 #include "osculo/motion/cloth.hpp"
+#include "osculo/motion/disc.hpp"
 #include "osculo/motion/rolling.hpp"
 #include "osculo/motion/uniform.hpp"
 
@@ -25,6 +27,17 @@ using UniformScene = SceneType<S, motion::Uniform, ObstacleKinds, impact::Restit
 template <math::Scalar S, template <class> class RecorderKind>
 using RollingScene = SceneType<S, motion::Rolling, Table, impact::Restitution, impact::Sequential,
                                RecorderKind, AllPairs>;
+
+/// Slowing down by drag, with restitution.
+template <math::Scalar S, template <class> class RecorderKind>
+using ResistedScene = SceneType<S, motion::Resisted, Table, impact::Restitution, impact::Sequential,
+                                RecorderKind, AllPairs>;
+
+/// Discs that turn about the vertical, with friction between boundaries. Without drag they are in
+/// free flight, with a constant deceleration alone they slide to rest.
+template <math::Scalar S, template <class> class RecorderKind>
+using DiscScene = SceneType<S, motion::Disc, Table, impact::DiscFriction, impact::Sequential,
+                            RecorderKind, AllPairs>;
 
 /// Impact laws of balls with spin: friction between balls, and a cushion law.
 template <template <class> class Cushion>
@@ -47,6 +60,12 @@ template <math::Scalar S>
 using RollingEvents = StateRecorder<S, motion::Rolling::State<S>, false>;
 template <math::Scalar S>
 using RollingPieces = StateRecorder<S, motion::Rolling::State<S>, true>;
+template <math::Scalar S>
+using ResistedEvents = StateRecorder<S, motion::Resisted::State<S>, false>;
+template <math::Scalar S>
+using ResistedPieces = StateRecorder<S, motion::Resisted::State<S>, true>;
+template <math::Scalar S>
+using DiscPieces = StateRecorder<S, motion::Disc::State<S>, true>;
 template <math::Scalar S>
 using ClothEvents = StateRecorder<S, motion::Cloth::State<S>, false>;
 template <math::Scalar S>

@@ -13,6 +13,7 @@
 #include "osculo/detect/ball_segment.hpp"
 #include "osculo/detect/ball_segment_parabolic.hpp"
 #include "osculo/detect/certainly_apart.hpp"
+#include "osculo/detect/resisted.hpp"
 #include "osculo/impact/restitution.hpp"
 #include "osculo/impact/simultaneous.hpp"
 

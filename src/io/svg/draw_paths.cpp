@@ -22,11 +22,13 @@ void draw_path(Canvas& canvas, const View& view, const Run& run,
     for (const std::size_t index : pieces) {
         const Piece& piece = run.pieces[index];
         const double duration = piece.to - piece.from;
+        const bool resisted = piece.phase == Phase::resisted;
         const auto place = [&](double t) {
+            if (resisted) return view(state_in(piece, 1, t).position);
             return view({piece.position.x + t * (piece.velocity.x + t * piece.acceleration.x / 2),
                          piece.position.y + t * (piece.velocity.y + t * piece.acceleration.y / 2)});
         };
-        const int chords = piece.acceleration == Point{} ? 1 : kChords;
+        const int chords = resisted || piece.acceleration == Point{} ? 1 : kChords;
         for (int k = 0; k < chords; ++k) {
             const Point from = place(duration * k / chords);
             const Point to = place(duration * (k + 1) / chords);
