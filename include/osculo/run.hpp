@@ -79,6 +79,10 @@ struct Event {
     Point normal;  ///< unit, from `ball` towards `other`
     std::array<BallState, 2> before;  ///< of `ball` and, for ball_ball, `other`
     std::array<BallState, 2> after;
+    /// Contacts that were resolved together have the same number, from 1 on; 0: by itself. They
+    /// follow each other, and only what all of them do together has a meaning.
+    std::uint32_t cluster = 0;
+    bool well_posed = true;  ///< of a cluster: false if another law or order has another outcome
     Phase from = Phase::uniform;  ///< of a transition
     Phase to = Phase::uniform;
     friend bool operator==(const Event&, const Event&) = default;
@@ -167,7 +171,9 @@ struct Audit {
 
 /// Which ready-made engine ran the scene.
 struct EngineInfo {
-    std::string name;  ///< e.g. "uniform/restitution/segments+points/double/pieces/all-pairs"
+    std::string
+        name;  ///< e.g.
+               ///< "uniform/restitution/symmetric/rims+segments+arcs+points/double/pieces/all-pairs"
     std::vector<std::string>
         left_out;  ///< features of osculo that this engine does not contain, with why
     friend bool operator==(const EngineInfo&, const EngineInfo&) = default;
@@ -179,6 +185,8 @@ struct Run {
     Status status = Status::at_rest;
     double time = 0;                ///< simulated time at the end [s]
     std::uint64_t event_count = 0;  ///< events, whether recorded or not
+    /// Impacts among them that did not bounce because they were slower than Impacts::rest_speed.
+    std::uint64_t settled_count = 0;
     EngineInfo engine;
     std::vector<std::string> points;         ///< names of the end points, e.g. "rail-3.from"
     std::vector<Event> events;               ///< in order of time; empty unless recorded

@@ -170,6 +170,7 @@ struct CushionImpact {
 
 /// How contacts at one instant that share a ball are resolved.
 enum class Simultaneous {
+    symmetric,   ///< all at once, whatever their order (osculo/impact/symmetric.hpp)
     sequential,  ///< pair by pair, in the total order of events, until no touching pair approaches
 };
 
@@ -179,7 +180,12 @@ struct Impacts {
     /// Things that are pressed together meet at most once in this time [s], >= 0; not for uniform
     /// motion (osculo/impact/pressing.hpp says why).
     double contact_time = 1e-4;
-    Simultaneous simultaneous = Simultaneous::sequential;
+    Simultaneous simultaneous = Simultaneous::symmetric;
+    /// Contacts that close more slowly than this do not bounce unless they are elastic [m/s], >= 0;
+    /// under the symmetric law only. If left out, kRestShare of the fastest ball's speed at the
+    /// start, after the strike.
+    std::optional<double> rest_speed;
+    static constexpr double kRestShare = 1e-6;
     friend bool operator==(const Impacts&, const Impacts&) = default;
 };
 

@@ -29,8 +29,8 @@ bool covers(const ReadyEngine& engine, const Scene& scene, const Options& option
     const bool table = !scene.arcs.empty() || !scene.rims.empty();
     const Record record = options.audit ? Record::pieces : options.record;
     return engine.precision == options.precision && covers_laws(engine, scene) &&
-           engine.record >= record && (engine.arcs_and_rims || !table) &&
-           (engine.segments || scene.segments.empty()) &&
+           engine.simultaneous == scene.impacts.simultaneous && engine.record >= record &&
+           (engine.arcs_and_rims || !table) && (engine.segments || scene.segments.empty()) &&
            (engine.cell_grid || engine.motion != MotionKind::uniform ||
             scene.balls.size() <= kFewBalls);
 }
@@ -51,7 +51,19 @@ const ReadyEngine& narrowest_engine(const Scene& scene, const Options& options, 
                             extended_engines(),
                             quad_engines(),
                             digits50_engines(),
-                            digits100_engines()};
+                            digits100_engines(),
+                            double_table_symmetric_engines(),
+                            double_rolling_symmetric_engines(),
+                            double_resisted_symmetric_engines(),
+                            double_disc_symmetric_engines(),
+                            double_cloth_symmetric_engines(),
+                            double_cloth_han_symmetric_engines(),
+                            double_cloth_mathavan_symmetric_engines(),
+                            double_cloth_stronge_symmetric_engines(),
+                            extended_symmetric_engines(),
+                            quad_symmetric_engines(),
+                            digits50_symmetric_engines(),
+                            digits100_symmetric_engines()};
     for (const auto& group : groups) {
         for (const ReadyEngine& engine : group) {
             const bool suits = batch ? engine.make_player != nullptr : engine.run != nullptr;
@@ -82,6 +94,9 @@ EngineInfo choose_engine(const Scene& scene, const Options& options) {
         leave_out("spin about horizontal axes: there is no cloth");
     } else if (engine.motion != MotionKind::cloth) {
         leave_out("spin and friction: there is no cloth");
+    }
+    if (engine.simultaneous == Simultaneous::sequential) {
+        leave_out("clusters: impacts at one instant are resolved pair by pair");
     }
     if (!engine.segments) leave_out("segments and end points: the scene has none");
     if (!engine.arcs_and_rims) leave_out("arcs and rims: the scene has none");

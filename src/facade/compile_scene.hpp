@@ -188,6 +188,19 @@ void compile_laws(const Scene& scene, engine::SceneData<Type>& data) {
     if constexpr (Type::Motion::kTransitions) data.contact_time = S(scene.impacts.contact_time);
 }
 
+/// As the scene says, or else by how fast its balls are at the start [m/s].
+template <class Type>
+[[nodiscard]] typename Type::Scalar rest_speed(const Scene& scene,
+                                               const std::vector<engine::Body<Type>>& bodies) {
+    using S = typename Type::Scalar;
+    if (scene.impacts.rest_speed) return S(*scene.impacts.rest_speed);
+    S fastest(0);
+    for (const auto& body : bodies) {
+        fastest = std::max<S>(fastest, math::norm<S>(body.state.velocity));
+    }
+    return S(Impacts::kRestShare) * fastest;
+}
+
 template <class Type>
 [[nodiscard]] CompiledScene<Type> compile_scene(const Scene& scene) {
     using S = typename Type::Scalar;
@@ -197,6 +210,9 @@ template <class Type>
         result.data.bodies.push_back(compile_ball<Type>(scene, scene.balls[i]));
     }
     compile_laws(scene, result.data);
+    if constexpr (Type::Simultaneous::kGathersCluster) {
+        result.data.rest_speed = rest_speed<Type>(scene, result.data.bodies);
+    }
 
     using List = typename Type::ObstacleList;
     constexpr bool kWalls = List::template kContains<S, geometry::Segment<S>>;

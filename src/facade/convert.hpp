@@ -58,6 +58,8 @@ public:
             return event;
         }
         event.other = other(event.kind, record.second);
+        event.cluster = record.cluster.number;
+        event.well_posed = record.cluster.well_posed;
         const math::Vec<S> unit = record.normal / math::norm<S>(record.normal);
         event.normal = point(unit);
         const math::Vec<S> center = record.before[0].position.rounded();

@@ -18,6 +18,7 @@ struct ReadyEngine {
     MotionKind motion;
     bool discs;  ///< balls turn about the vertical, and rub: for every motion law but cloth
     CushionLaw cushion;
+    Simultaneous simultaneous;
     bool segments;  ///< and end points
     bool arcs_and_rims;
     Record record;   ///< at most this
@@ -44,6 +45,18 @@ struct ReadyEngine {
 [[nodiscard]] std::span<const ReadyEngine> quad_engines();
 [[nodiscard]] std::span<const ReadyEngine> digits50_engines();
 [[nodiscard]] std::span<const ReadyEngine> digits100_engines();
+[[nodiscard]] std::span<const ReadyEngine> double_table_symmetric_engines();
+[[nodiscard]] std::span<const ReadyEngine> double_rolling_symmetric_engines();
+[[nodiscard]] std::span<const ReadyEngine> double_resisted_symmetric_engines();
+[[nodiscard]] std::span<const ReadyEngine> double_disc_symmetric_engines();
+[[nodiscard]] std::span<const ReadyEngine> double_cloth_symmetric_engines();
+[[nodiscard]] std::span<const ReadyEngine> double_cloth_han_symmetric_engines();
+[[nodiscard]] std::span<const ReadyEngine> double_cloth_mathavan_symmetric_engines();
+[[nodiscard]] std::span<const ReadyEngine> double_cloth_stronge_symmetric_engines();
+[[nodiscard]] std::span<const ReadyEngine> extended_symmetric_engines();
+[[nodiscard]] std::span<const ReadyEngine> quad_symmetric_engines();
+[[nodiscard]] std::span<const ReadyEngine> digits50_symmetric_engines();
+[[nodiscard]] std::span<const ReadyEngine> digits100_symmetric_engines();
 
 /// The narrowest engine that covers the scene.
 [[nodiscard]] const ReadyEngine& narrowest_engine(const Scene& scene, const Options& options,

@@ -27,6 +27,7 @@ template <class Type>
     run.status = engine.run({S(scene.limits.time), scene.limits.events});
     run.time = math::to_double<S>(math::narrow(engine.time()));
     run.event_count = engine.event_count();
+    run.settled_count = engine.settled_count();
     const Converter<Type> convert{scene, compiled};
     run.balls = convert.balls(engine.bodies());
     if constexpr (Type::Recorder::kEvents) {
@@ -47,11 +48,12 @@ template <class Type>
     return run;
 }
 
-/// "uniform/restitution/segments+points/double/pieces/all-pairs".
+/// "uniform/restitution/symmetric/rims+segments+arcs+points/double/pieces/all-pairs".
 template <class Type>
 [[nodiscard]] std::string engine_name(const char* obstacles, const char* scalar) {
-    return concatenated(Type::Motion::kName, "/", Type::Impact::kName, "/", obstacles, "/", scalar,
-                        "/", Type::Recorder::kName, "/", Type::BroadPhase::kName);
+    return concatenated(Type::Motion::kName, "/", Type::Impact::kName, "/",
+                        Type::Simultaneous::kName, "/", obstacles, "/", scalar, "/",
+                        Type::Recorder::kName, "/", Type::BroadPhase::kName);
 }
 
 /// The scalar types by their names on the command line.
@@ -129,6 +131,8 @@ template <class Type>
     engine.motion = kMotionKind<typename Type::Motion>;
     engine.discs = std::is_same_v<typename Type::Motion, motion::Disc>;
     engine.cushion = kCushionLaw<typename Type::Impact>;
+    engine.simultaneous =
+        Type::Simultaneous::kGathersCluster ? Simultaneous::symmetric : Simultaneous::sequential;
     engine.segments = Name::kSegments;
     engine.arcs_and_rims = Name::kArcsAndRims;
     engine.record = Type::Recorder::kPieces                           ? Record::pieces

@@ -188,6 +188,12 @@ void validate_friction(const Scene& scene) {
     for (const double f : balls.friction) require_friction(f, "impacts.ball_ball.friction");
     require(scene.impacts.contact_time >= 0 && scene.impacts.contact_time <= 1,
             "impacts.contact_time", "must be from 0 to 1 s", scene.impacts.contact_time);
+    if (const auto& speed = scene.impacts.rest_speed) {
+        require(*speed >= 0 && std::isfinite(*speed), "impacts.rest_speed",
+                "must be finite and not negative [m/s]", *speed);
+        require(scene.impacts.simultaneous == Simultaneous::symmetric, "impacts.rest_speed",
+                "needs the symmetric law for simultaneous impacts", *speed);
+    }
     if (cushion.law == CushionLaw::restitution) return;
     require_friction(cushion.friction, "impacts.ball_cushion.friction");
     require_friction(cushion.cloth_friction.value_or(0), "impacts.ball_cushion.cloth_friction");

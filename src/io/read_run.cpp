@@ -87,8 +87,8 @@ Phase read_phase(const Value& value) {
 }
 
 Event read_event(const Value& value, const Indices& indices) {
-    static constexpr Names kKeys{"time",   "time_low", "kind",  "ids",  "point",
-                                 "normal", "before",   "after", "from", "to"};
+    static constexpr Names kKeys{"time",   "time_low", "kind", "ids", "point",   "normal",
+                                 "before", "after",    "from", "to",  "cluster", "well_posed"};
     static constexpr EventKind kKinds[]{EventKind::capture,      EventKind::ball_ball,
                                         EventKind::ball_segment, EventKind::ball_arc,
                                         EventKind::ball_point,   EventKind::transition};
@@ -118,6 +118,12 @@ Event read_event(const Value& value, const Indices& indices) {
     } else {
         event.point = fields.require("point").point();
         event.normal = fields.require("normal").point();
+        if (const auto cluster = fields.find("cluster")) {
+            const std::uint64_t number = cluster->natural();
+            if (number == 0 || number > 0xFFFFFFFFU) cluster->fail("must be from 1 to 4294967295");
+            event.cluster = static_cast<std::uint32_t>(number);
+        }
+        if (const auto unique = fields.find("well_posed")) event.well_posed = unique->boolean();
     }
     event.before = read_states(fields.require("before"), event.kind);
     event.after = read_states(fields.require("after"), event.kind);
@@ -209,9 +215,9 @@ Status read_status(const Value& value) {
 
 Run read_run(const Value& value) {
     static constexpr Names kSchemas{kRunSchema};
-    static constexpr Names kKeys{"schema", "status",      "time",    "event_count", "engine",
-                                 "audit",  "certificate", "outcome", "balls",       "points",
-                                 "events", "pieces",      "scene"};
+    static constexpr Names kKeys{"schema", "status", "time",        "event_count", "settled_count",
+                                 "engine", "audit",  "certificate", "outcome",     "balls",
+                                 "points", "events", "pieces",      "scene"};
     if (const auto schema = value.member("schema")) choice(*schema, kSchemas);
     const Fields fields(value, kKeys);
     static_cast<void>(fields.require("schema"));
@@ -221,6 +227,7 @@ Run read_run(const Value& value) {
     run.status = read_status(fields.require("status"));
     run.time = fields.require("time").number();
     run.event_count = fields.require("event_count").natural();
+    if (const auto count = fields.find("settled_count")) run.settled_count = count->natural();
     run.engine = read_engine(fields.require("engine"));
     if (const auto audit = fields.find("audit")) run.audit = read_audit(*audit);
     if (const auto certificate = fields.find("certificate")) {

@@ -35,6 +35,11 @@ void write_event(JsonText& json, const Run& run, const Event& event) {
         json.strings(run.ids(event));
         members.vector("point", event.point);
         members.vector("normal", event.normal);
+        if (event.cluster != 0) {
+            members.number("cluster", std::uint64_t{event.cluster});
+            members.key("well_posed");
+            json.boolean(event.well_posed);
+        }
     }
     members.key("before");
     write_states(json, event.before, both);
@@ -104,6 +109,10 @@ std::string run_to_json(const Run& run) {
     json.number(run.time);
     key("event_count");
     json.number(run.event_count);
+    if (run.settled_count > 0) {
+        key("settled_count");
+        json.number(run.settled_count);
+    }
     key("engine");
     json.raw("{\"name\": ");
     json.string(run.engine.name);

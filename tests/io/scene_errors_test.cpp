@@ -156,9 +156,9 @@ TEST(SceneErrors, UnknownLawsAndNames) {
                  "balls": [{"id": "a", "mass": 1, "radius": 1, "position": [0, 0]}],
                  "cue": {"ball": "a", "speed": 1, "azimuth": 1e300})"),
          "cue.azimuth: must be from -1e12 to 1e12 rad, but it is 1e+300"},
-        {with(R"("impacts": {"simultaneous": "symmetric"})"),
-         "impacts.simultaneous: must be sequential (symmetric is not available yet), "
-         "but it is \"symmetric\""},
+        {with(R"("impacts": {"simultaneous": "symetric"})"),
+         "impacts.simultaneous: must be symmetric or sequential, did you mean symmetric?, "
+         "but it is \"symetric\""},
         {with(R"("rims": [{"id": "r", "center": [0, 0], "radius": 1, "law": "paper"}])"),
          "rims[0].law: must be capture (paper and tipping are not available yet), "
          "but it is \"paper\""},

@@ -17,27 +17,33 @@ using NoObstacles = Obstacles<>;
 using Walls = Obstacles<geometry::Segment, geometry::Point>;
 using Table = Obstacles<geometry::Rim, geometry::Segment, geometry::Arc, geometry::Point>;
 
+// Contacts of one instant are resolved pair by pair unless the scene type says impact::Symmetric,
+// which is what scenes of the facade say unless they choose otherwise.
+
 /// Free flight with restitution.
 template <math::Scalar S, class ObstacleKinds, template <class> class RecorderKind,
-          template <class> class BroadPhaseKind>
-using UniformScene = SceneType<S, motion::Uniform, ObstacleKinds, impact::Restitution,
-                               impact::Sequential, RecorderKind, BroadPhaseKind>;
+          template <class> class BroadPhaseKind, class Simultaneous = impact::Sequential>
+using UniformScene = SceneType<S, motion::Uniform, ObstacleKinds, impact::Restitution, Simultaneous,
+                               RecorderKind, BroadPhaseKind>;
 
 /// Rolling to rest, with restitution.
-template <math::Scalar S, template <class> class RecorderKind>
-using RollingScene = SceneType<S, motion::Rolling, Table, impact::Restitution, impact::Sequential,
-                               RecorderKind, AllPairs>;
+template <math::Scalar S, template <class> class RecorderKind,
+          class Simultaneous = impact::Sequential>
+using RollingScene =
+    SceneType<S, motion::Rolling, Table, impact::Restitution, Simultaneous, RecorderKind, AllPairs>;
 
 /// Slowing down by drag, with restitution.
-template <math::Scalar S, template <class> class RecorderKind>
-using ResistedScene = SceneType<S, motion::Resisted, Table, impact::Restitution, impact::Sequential,
+template <math::Scalar S, template <class> class RecorderKind,
+          class Simultaneous = impact::Sequential>
+using ResistedScene = SceneType<S, motion::Resisted, Table, impact::Restitution, Simultaneous,
                                 RecorderKind, AllPairs>;
 
 /// Discs that turn about the vertical, with friction between boundaries. Without drag they are in
 /// free flight, with a constant deceleration alone they slide to rest.
-template <math::Scalar S, template <class> class RecorderKind>
-using DiscScene = SceneType<S, motion::Disc, Table, impact::DiscFriction, impact::Sequential,
-                            RecorderKind, AllPairs>;
+template <math::Scalar S, template <class> class RecorderKind,
+          class Simultaneous = impact::Sequential>
+using DiscScene =
+    SceneType<S, motion::Disc, Table, impact::DiscFriction, Simultaneous, RecorderKind, AllPairs>;
 
 /// Impact laws of balls with spin: friction between balls, and a cushion law.
 template <template <class> class Cushion>
@@ -52,9 +58,10 @@ struct WithFriction {
 };
 
 /// A cloth, with friction everywhere.
-template <math::Scalar S, template <class> class Cushion, template <class> class RecorderKind>
-using ClothScene = SceneType<S, motion::Cloth, Table, WithFriction<Cushion>, impact::Sequential,
-                             RecorderKind, AllPairs>;
+template <math::Scalar S, template <class> class Cushion, template <class> class RecorderKind,
+          class Simultaneous = impact::Sequential>
+using ClothScene =
+    SceneType<S, motion::Cloth, Table, WithFriction<Cushion>, Simultaneous, RecorderKind, AllPairs>;
 
 template <math::Scalar S>
 using RollingEvents = StateRecorder<S, motion::Rolling::State<S>, false>;
