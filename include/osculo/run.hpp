@@ -201,6 +201,9 @@ struct Run {
     /// The state of ball [index] at time t [s], from the pieces; nothing outside of what was
     /// recorded or after the ball's capture. Error of the position: a few ulp of its coordinates.
     [[nodiscard]] std::optional<BallState> at(std::uint32_t index, double t) const;
+
+    /// The state on one of the run's pieces at time t [s], in it.
+    [[nodiscard]] BallState at(const Piece& piece, double t) const;
 };
 
 }  // namespace osculo

@@ -64,11 +64,15 @@ std::array<std::string, 2> Run::ids(const Event& event) const {
 std::optional<BallState> Run::at(std::uint32_t index, double t) const {
     for (const Piece& piece : pieces) {
         if (piece.ball != index || t < piece.from || t > piece.to) continue;
-        const double wait = math::duration<double>(math::two_sum(piece.from, piece.from_low),
-                                                   math::Instant<double>(t));
-        return state_in(piece, scene.balls[index].radius, wait);
+        return at(piece, t);
     }
     return std::nullopt;
+}
+
+BallState Run::at(const Piece& piece, double t) const {
+    const double wait =
+        math::duration<double>(math::two_sum(piece.from, piece.from_low), math::Instant<double>(t));
+    return state_in(piece, scene.balls[piece.ball].radius, wait);
 }
 
 }  // namespace osculo
