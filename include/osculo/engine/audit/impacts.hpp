@@ -49,6 +49,7 @@ private:
         S reach = one.radius;
         S smaller = one.radius;
         S path = path_[event.first];
+        S speed = math::norm1<S>(event.before[0].velocity);
         Vec from(S(0), S(0));
         if (event.kind == kBallBall) {
             const Body<Type>& other = body(event, 1);
@@ -58,6 +59,7 @@ private:
             reach = reach + other.radius;
             smaller = std::min<S>(smaller, other.radius);
             path = path + path_[event.second];
+            speed = speed + math::norm1<S>(event.before[1].velocity);
         } else {
             with_obstacle<Type>(scene_, event.kind, event.second, [&](const auto& obstacle) {
                 gap = contact_gap(seen_from(event.before[0].position, origin(obstacle)), one.radius,
@@ -66,9 +68,8 @@ private:
                 from = origin(obstacle);
             });
         }
-        const S bound =
-            gap_bound<S>(reach, path) +
-            resolution<S>(event.before[0].position, event.before[0].velocity, event.when, from);
+        const S bound = gap_bound<S>(reach, path) +
+                        resolution<S>(event.before[0].position, speed, event.when, from);
         result.note(result.largest_contact_error, math::to_double<S>(gap / smaller), gap <= bound);
     }
 
