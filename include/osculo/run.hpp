@@ -14,12 +14,14 @@ namespace osculo {
 
 /// What an event is.
 enum class EventKind {
-    capture,       ///< a ball's centre crosses a rim with the capture law: it is gone
+    capture,       ///< a ball falls into a rim: it is gone
     ball_ball,     ///< two balls
     ball_segment,  ///< a ball and the straight part of a segment
     ball_arc,      ///< a ball and the circular part of an arc
     ball_point,    ///< a ball and an end point of a segment or arc
     transition,    ///< a ball's motion enters its next phase
+    rim_entry,     ///< a ball's centre comes into a rim that pulls it,
+    rim_exit,      ///< or leaves it
 };
 
 /// The kind as it is written in files: "capture", "ball_ball", ...
@@ -31,6 +33,8 @@ enum class EventKind {
         case EventKind::ball_arc: return "ball_arc";
         case EventKind::ball_point: return "ball_point";
         case EventKind::transition: return "transition";
+        case EventKind::rim_entry: return "rim_entry";
+        case EventKind::rim_exit: return "rim_exit";
     }
     return "ball_ball";
 }
@@ -42,6 +46,7 @@ enum class Phase {
     spinning,  ///< on the spot, about the vertical
     rolling,
     sliding,
+    rim,  ///< pulled by a rim
 };
 
 /// The phase as it is written in files: "uniform", "rest", ...
@@ -52,6 +57,7 @@ enum class Phase {
         case Phase::spinning: return "spinning";
         case Phase::rolling: return "rolling";
         case Phase::sliding: return "sliding";
+        case Phase::rim: return "rim";
     }
     return "uniform";
 }
@@ -72,7 +78,7 @@ struct Event {
     std::uint32_t ball = 0;  ///< index into scene.balls
     std::uint32_t other =
         0;         ///< index into scene.balls, .segments, .arcs, .rims or run.points, by kind
-    Point point;   ///< where the boundaries touch (capture: the ball's centre) [m]
+    Point point;   ///< where the boundaries touch (rims: the ball's centre) [m]
     Point normal;  ///< unit, from `ball` towards `other`
     std::array<BallState, 2> before;  ///< of `ball` and, for ball_ball, `other`
     std::array<BallState, 2> after;
@@ -89,6 +95,10 @@ struct Event {
 ///   spin z    towards 0 by spin_rate[2] T, and 0 from there on
 ///
 /// A position is the sum of its two parts, like an instant.
+///
+/// In a rim with the law paper, position and velocity at `from` are the start of a motion with the
+/// energy and the angular momentum that it has there (osculo/motion/rim_paper.hpp); Run::along()
+/// follows it. Its spin stays.
 struct Piece {
     std::uint32_t ball = 0;  ///< index into scene.balls
     double from = 0;         ///< [s]
@@ -102,6 +112,7 @@ struct Piece {
     Spin spin{};         ///< at `from` [rad/s]
     Spin spin_rate{};    ///< [rad/s^2]; the third is >= 0
     Phase phase = Phase::uniform;
+    std::uint32_t rim = 0;  ///< of the phase rim: index into scene.rims
     friend bool operator==(const Piece&, const Piece&) = default;
 };
 
@@ -176,6 +187,10 @@ struct Run {
     /// The state of ball [index] at time t [s], from the pieces; nothing outside of what was
     /// recorded or after the ball's capture. Error of the position: a few ulp of its coordinates.
     [[nodiscard]] std::optional<BallState> at(std::uint32_t index, double t) const;
+
+    /// The states on one of the pieces at times since its beginning [s], within its duration.
+    [[nodiscard]] std::vector<BallState> along(const Piece& piece,
+                                               const std::vector<double>& times) const;
 };
 
 }  // namespace osculo

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <array>
 
 #include "ready_engine.hpp"
@@ -12,9 +13,14 @@ constexpr std::size_t kFewBalls = 12;
 
 bool covers(const ReadyEngine& engine, const Scene& scene, const Options& options) {
     const bool table = !scene.arcs.empty() || !scene.rims.empty();
+    const bool pulls =
+        std::ranges::any_of(scene.rims, [](const Rim& rim) { return rim.law == RimLaw::paper; });
+    const auto motion = static_cast<MotionKind>(scene.motion.index());
+    const bool moves =
+        engine.motion == motion || (pulls && motion == MotionKind::uniform &&
+                                    engine.motion == MotionKind::rolling);  // without friction
     const Record record = options.audit ? Record::pieces : options.record;
-    return engine.precision == options.precision &&
-           engine.motion == static_cast<MotionKind>(scene.motion.index()) &&
+    return engine.precision == options.precision && moves && engine.pulling_rims == pulls &&
            engine.cushion == scene.impacts.ball_cushion.law && engine.record >= record &&
            (engine.arcs_and_rims || !table) && (engine.segments || scene.segments.empty()) &&
            (engine.cell_grid || engine.motion != MotionKind::uniform ||
@@ -28,6 +34,7 @@ const ReadyEngine& narrowest_engine(const Scene& scene, const Options& options) 
                             double_walls_engines(),
                             double_table_engines(),
                             double_rolling_engines(),
+                            double_rims_engines(),
                             double_cloth_engines(),
                             double_cloth_han_engines(),
                             double_cloth_mathavan_engines(),

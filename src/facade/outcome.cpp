@@ -7,7 +7,8 @@ namespace osculo {
 namespace {
 
 bool is_contact(EventKind kind) {
-    return kind != EventKind::capture && kind != EventKind::transition;
+    return kind != EventKind::capture && kind != EventKind::transition &&
+           kind != EventKind::rim_entry && kind != EventKind::rim_exit;
 }
 
 /// Tells the first event of each contact from those that belong to the same.

@@ -17,8 +17,9 @@ struct ReadyEngine {
     CushionLaw cushion;
     bool segments;  ///< and end points
     bool arcs_and_rims;
-    Record record;   ///< at most this
-    bool cell_grid;  ///< for many balls; gives the same results as all pairs
+    bool pulling_rims;  ///< with the law paper; of free flight too
+    Record record;      ///< at most this
+    bool cell_grid;     ///< for many balls; gives the same results as all pairs
     std::string (*name)();
     /// Runs a valid scene. With `audit`, requires record == pieces.
     Run (*run)(const Scene& scene, bool audit);
@@ -29,6 +30,7 @@ struct ReadyEngine {
 [[nodiscard]] std::span<const ReadyEngine> double_walls_engines();
 [[nodiscard]] std::span<const ReadyEngine> double_table_engines();
 [[nodiscard]] std::span<const ReadyEngine> double_rolling_engines();
+[[nodiscard]] std::span<const ReadyEngine> double_rims_engines();
 [[nodiscard]] std::span<const ReadyEngine> double_cloth_engines();
 [[nodiscard]] std::span<const ReadyEngine> double_cloth_han_engines();
 [[nodiscard]] std::span<const ReadyEngine> double_cloth_mathavan_engines();
