@@ -15,12 +15,14 @@ namespace osculo {
 
 /// What an event is.
 enum class EventKind {
-    capture,       ///< a ball's centre crosses a rim with the capture law: it is gone
+    capture,       ///< a ball falls into a rim: it is gone
     ball_ball,     ///< two balls
     ball_segment,  ///< a ball and the straight part of a segment
     ball_arc,      ///< a ball and the circular part of an arc
     ball_point,    ///< a ball and an end point of a segment or arc
     transition,    ///< a ball's motion enters its next phase
+    rim_entry,     ///< a ball's centre comes into a rim that pulls it,
+    rim_exit,      ///< or leaves it
 };
 
 /// The kind as it is written in files: "capture", "ball_ball", ...
@@ -32,6 +34,8 @@ enum class EventKind {
         case EventKind::ball_arc: return "ball_arc";
         case EventKind::ball_point: return "ball_point";
         case EventKind::transition: return "transition";
+        case EventKind::rim_entry: return "rim_entry";
+        case EventKind::rim_exit: return "rim_exit";
     }
     return "ball_ball";
 }
@@ -44,6 +48,7 @@ enum class Phase {
     rolling,
     sliding,
     resisted,  ///< slowing down by drag
+    rim,       ///< pulled by a rim
 };
 
 /// The phase as it is written in files: "uniform", "rest", ...
@@ -55,6 +60,7 @@ enum class Phase {
         case Phase::rolling: return "rolling";
         case Phase::sliding: return "sliding";
         case Phase::resisted: return "resisted";
+        case Phase::rim: return "rim";
     }
     return "uniform";
 }
@@ -75,7 +81,7 @@ struct Event {
     std::uint32_t ball = 0;  ///< index into scene.balls
     std::uint32_t other =
         0;         ///< index into scene.balls, .segments, .arcs, .rims or run.points, by kind
-    Point point;   ///< where the boundaries touch (capture: the ball's centre) [m]
+    Point point;   ///< where the boundaries touch (rims: the ball's centre) [m]
     Point normal;  ///< unit, from `ball` towards `other`
     std::array<BallState, 2> before;  ///< of `ball` and, for ball_ball, `other`
     std::array<BallState, 2> after;
@@ -104,6 +110,10 @@ struct Event {
 /// coefficients may be 0.
 ///
 /// A position is the sum of its two parts, like an instant.
+///
+/// In a rim with the law paper, position and velocity at `from` are the start of a motion with the
+/// energy and the angular momentum that it has there (osculo/motion/rim_paper.hpp); Run::along()
+/// follows it. Its spin stays.
 struct Piece {
     std::uint32_t ball = 0;  ///< index into scene.balls
     double from = 0;         ///< [s]
@@ -119,6 +129,7 @@ struct Piece {
     /// constant [m/s^2], linear [1/s] and quadratic [1/m] deceleration, in the phase `resisted`
     std::array<double, 3> resistance{};
     Phase phase = Phase::uniform;
+    std::uint32_t rim = 0;  ///< of the phase rim: index into scene.rims
     friend bool operator==(const Piece&, const Piece&) = default;
 };
 
@@ -204,6 +215,9 @@ struct Run {
 
     /// The state on one of the run's pieces at time t [s], in it.
     [[nodiscard]] BallState at(const Piece& piece, double t) const;
+    /// The states on one of the pieces at times since its beginning [s], within its duration.
+    [[nodiscard]] std::vector<BallState> along(const Piece& piece,
+                                               const std::vector<double>& times) const;
 };
 
 }  // namespace osculo

@@ -62,14 +62,24 @@ struct Arc {
 /// What happens to a ball whose centre crosses a rim.
 enum class RimLaw {
     capture,  ///< it is gone
+    paper,    ///< it is pulled towards the centre, and falls or leaves; not on a cloth
 };
+
+/// The law as it is written in files: "capture", "paper".
+[[nodiscard]] constexpr std::string_view to_string(RimLaw law) {
+    switch (law) {
+        case RimLaw::capture: return "capture";
+        case RimLaw::paper: return "paper";
+    }
+    return "capture";
+}
 
 /// The edge of a hole.
 struct Rim {
     std::string id;
     Point center;
-    double radius = 1;  ///< [m], > 0
-    RimLaw law = RimLaw::capture;
+    double radius = 1;             ///< [m], > 0
+    RimLaw law = RimLaw::capture;  ///< rims with the law paper do not overlap each other
     friend bool operator==(const Rim&, const Rim&) = default;
 };
 
@@ -214,7 +224,7 @@ struct Cue {
 /// Everything that exists. SI units, radians.
 struct Scene {
     MotionLaw motion;
-    double gravity = 9.81;  ///< [m/s^2], >= 0; not for uniform motion
+    double gravity = 9.81;  ///< [m/s^2], >= 0; for friction and rims
     std::vector<Ball> balls;
     std::vector<Segment> segments;
     std::vector<Arc> arcs;

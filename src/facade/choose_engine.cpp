@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <array>
 
 #include "ready_engine.hpp"
@@ -18,10 +19,19 @@ bool has_discs(const Scene& scene) {
             scene.impacts.ball_cushion.law == CushionLaw::frictional);
 }
 
-/// Discs have one engine for every motion law and cushion of theirs.
+bool has_pulling_rims(const Scene& scene) {
+    return std::ranges::any_of(scene.rims, [](const Rim& rim) { return rim.law == RimLaw::paper; });
+}
+
+/// Discs have one engine for every motion law and cushion of theirs; rims that pull have one for
+/// free flight too, which is rolling without friction.
 bool covers_laws(const ReadyEngine& engine, const Scene& scene) {
     if (has_discs(scene)) return engine.discs;
-    return !engine.discs && engine.motion == static_cast<MotionKind>(scene.motion.index()) &&
+    const auto motion = static_cast<MotionKind>(scene.motion.index());
+    const bool pulls = has_pulling_rims(scene);
+    const bool moves = engine.motion == motion || (pulls && motion == MotionKind::uniform &&
+                                                   engine.motion == MotionKind::rolling);
+    return !engine.discs && moves && engine.pulling_rims == pulls &&
            engine.cushion == scene.impacts.ball_cushion.law;
 }
 
@@ -44,6 +54,7 @@ const ReadyEngine& narrowest_engine(const Scene& scene, const Options& options, 
                             double_rolling_engines(),
                             double_resisted_engines(),
                             double_disc_engines(),
+                            double_rims_engines(),
                             double_cloth_engines(),
                             double_cloth_han_engines(),
                             double_cloth_mathavan_engines(),
@@ -56,6 +67,7 @@ const ReadyEngine& narrowest_engine(const Scene& scene, const Options& options, 
                             double_rolling_symmetric_engines(),
                             double_resisted_symmetric_engines(),
                             double_disc_symmetric_engines(),
+                            double_rims_symmetric_engines(),
                             double_cloth_symmetric_engines(),
                             double_cloth_han_symmetric_engines(),
                             double_cloth_mathavan_symmetric_engines(),

@@ -10,6 +10,7 @@ std::span<const ReadyEngine> digits50_engines() {
                                   CellGrid>>(),
         ready_engine<RollingScene<boost::multiprecision::cpp_bin_float_50, RollingPieces>>(),
         ready_engine<ResistedScene<boost::multiprecision::cpp_bin_float_50, ResistedPieces>>(),
+        ready_engine<RimsScene<boost::multiprecision::cpp_bin_float_50, RimsPieces>>(),
         ready_engine<ClothScene<boost::multiprecision::cpp_bin_float_50, impact::CushionSimple,
                                 ClothPieces>>(),
         ready_engine<ClothScene<boost::multiprecision::cpp_bin_float_50, impact::CushionHan2005,

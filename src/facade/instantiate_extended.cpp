@@ -9,6 +9,7 @@ std::span<const ReadyEngine> extended_engines() {
         ready_engine<UniformScene<long double, Table, PieceRecorder, CellGrid>>(),
         ready_engine<RollingScene<long double, RollingPieces>>(),
         ready_engine<ResistedScene<long double, ResistedPieces>>(),
+        ready_engine<RimsScene<long double, RimsPieces>>(),
         ready_engine<ClothScene<long double, impact::CushionSimple, ClothPieces>>(),
         ready_engine<ClothScene<long double, impact::CushionHan2005, ClothPieces>>(),
     };

@@ -10,6 +10,7 @@ std::span<const ReadyEngine> extended_symmetric_engines() {
         ready_engine<UniformScene<S, Table, PieceRecorder, CellGrid, impact::Symmetric>>(),
         ready_engine<RollingScene<S, RollingPieces, impact::Symmetric>>(),
         ready_engine<ResistedScene<S, ResistedPieces, impact::Symmetric>>(),
+        ready_engine<RimsScene<S, RimsPieces, impact::Symmetric>>(),
         ready_engine<ClothScene<S, impact::CushionSimple, ClothPieces, impact::Symmetric>>(),
         ready_engine<ClothScene<S, impact::CushionHan2005, ClothPieces, impact::Symmetric>>(),
     };

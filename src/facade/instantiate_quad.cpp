@@ -9,6 +9,7 @@ std::span<const ReadyEngine> quad_engines() {
         ready_engine<UniformScene<math::Quad, Table, PieceRecorder, CellGrid>>(),
         ready_engine<RollingScene<math::Quad, RollingPieces>>(),
         ready_engine<ResistedScene<math::Quad, ResistedPieces>>(),
+        ready_engine<RimsScene<math::Quad, RimsPieces>>(),
         ready_engine<ClothScene<math::Quad, impact::CushionSimple, ClothPieces>>(),
         ready_engine<ClothScene<math::Quad, impact::CushionHan2005, ClothPieces>>(),
     };

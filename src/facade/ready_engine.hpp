@@ -21,8 +21,9 @@ struct ReadyEngine {
     Simultaneous simultaneous;
     bool segments;  ///< and end points
     bool arcs_and_rims;
-    Record record;   ///< at most this
-    bool cell_grid;  ///< for many balls; gives the same results as all pairs
+    bool pulling_rims;  ///< with the law paper; of free flight too
+    Record record;      ///< at most this
+    bool cell_grid;     ///< for many balls; gives the same results as all pairs
     std::string (*name)();
     /// Runs a valid scene. With `audit`, requires record == pieces. Null if it is for batches only.
     Run (*run)(const Scene& scene, bool audit);
@@ -37,6 +38,7 @@ struct ReadyEngine {
 [[nodiscard]] std::span<const ReadyEngine> double_rolling_engines();
 [[nodiscard]] std::span<const ReadyEngine> double_resisted_engines();
 [[nodiscard]] std::span<const ReadyEngine> double_disc_engines();
+[[nodiscard]] std::span<const ReadyEngine> double_rims_engines();
 [[nodiscard]] std::span<const ReadyEngine> double_cloth_engines();
 [[nodiscard]] std::span<const ReadyEngine> double_cloth_han_engines();
 [[nodiscard]] std::span<const ReadyEngine> double_cloth_mathavan_engines();
@@ -49,6 +51,7 @@ struct ReadyEngine {
 [[nodiscard]] std::span<const ReadyEngine> double_rolling_symmetric_engines();
 [[nodiscard]] std::span<const ReadyEngine> double_resisted_symmetric_engines();
 [[nodiscard]] std::span<const ReadyEngine> double_disc_symmetric_engines();
+[[nodiscard]] std::span<const ReadyEngine> double_rims_symmetric_engines();
 [[nodiscard]] std::span<const ReadyEngine> double_cloth_symmetric_engines();
 [[nodiscard]] std::span<const ReadyEngine> double_cloth_han_symmetric_engines();
 [[nodiscard]] std::span<const ReadyEngine> double_cloth_mathavan_symmetric_engines();

@@ -39,7 +39,9 @@ template <class Type>
         run.pieces.reserve(engine.recorder().pieces.size());
         for (const auto& piece : engine.recorder().pieces)
             run.pieces.push_back(convert.piece(piece));
-        if (audit) {
+        if constexpr (engine::kHasRims<typename Type::Motion>) {
+            // simulate() refuses it
+        } else if (audit) {
             run.audit = convert.audit(
                 engine::audit<Type>(start, engine.recorder(), engine.bodies(), engine.time()));
         }
@@ -103,6 +105,12 @@ struct ObstacleName<engine::Table> {
     static constexpr const char* kName = "rims+segments+arcs+points";
 };
 
+template <>
+struct ObstacleName<engine::PullingTable> {
+    static constexpr bool kSegments = true, kArcsAndRims = true;
+    static constexpr const char* kName = "rims+segments+arcs+points";
+};
+
 /// The scene's cushion law that an engine has; laws without spin have restitution only.
 template <class Laws>
 inline constexpr CushionLaw kCushionLaw = CushionLaw::restitution;
@@ -135,6 +143,7 @@ template <class Type>
         Type::Simultaneous::kGathersCluster ? Simultaneous::symmetric : Simultaneous::sequential;
     engine.segments = Name::kSegments;
     engine.arcs_and_rims = Name::kArcsAndRims;
+    engine.pulling_rims = engine::kHasRims<typename Type::Motion>;
     engine.record = Type::Recorder::kPieces                           ? Record::pieces
                     : Type::Recorder::kEvents && !kContactsOnly<Type> ? Record::events
                                                                       : Record::none;

@@ -94,6 +94,38 @@ void validate_balls(const Scene& scene, Ids& ids) {
     }
 }
 
+/// A rim that pulls, and what it has to do with the rest of the scene.
+void validate_pulling_rim(const Scene& scene, std::size_t k) {
+    const Rim& rim = scene.rims[k];
+    const auto name = [&](std::size_t i) {
+        return concatenated(at("rims", i, ""), " (\"", scene.rims[i].id, "\")");
+    };
+    if (std::holds_alternative<ClothMotion>(scene.motion)) {
+        throw SceneError(at("rims", k, ".law"),
+                         "must be capture on a cloth: others need uniform or rolling motion",
+                         std::string(to_string(rim.law)));
+    }
+    require(scene.gravity > 0, "gravity",
+            concatenated("must be > 0, for ", name(k), " pulls by it").c_str(), scene.gravity);
+    for (std::size_t i = 0; i < scene.balls.size(); ++i) {
+        require(scene.balls[i].radius < rim.radius, at("balls", i, ".radius"),
+                concatenated("must be less than that of ", name(k), ", which pulls it in").c_str(),
+                scene.balls[i].radius);
+    }
+    for (std::size_t i = 0; i < k; ++i) {
+        const Rim& other = scene.rims[i];
+        if (other.law != RimLaw::paper) continue;
+        const double apart =
+            std::hypot(rim.center.x - other.center.x, rim.center.y - other.center.y);
+        if (!(apart >= rim.radius + other.radius)) {
+            throw SceneError(at("rims", k, ".center"),
+                             concatenated("must not be so near to ", name(i),
+                                          " that both could pull a ball at once"),
+                             text(rim.center));
+        }
+    }
+}
+
 void validate_obstacles(const Scene& scene, Ids& ids) {
     for (std::size_t k = 0; k < scene.segments.size(); ++k) {
         const Segment& s = scene.segments[k];
@@ -125,6 +157,7 @@ void validate_obstacles(const Scene& scene, Ids& ids) {
         require_point(rim.center, kLargest, at("rims", k, ".center"));
         require(rim.radius > 0, at("rims", k, ".radius"), "must be > 0", rim.radius);
         require_size(rim.radius, at("rims", k, ".radius"));
+        if (rim.law == RimLaw::paper) validate_pulling_rim(scene, k);
     }
 }
 
@@ -292,12 +325,16 @@ void validate_place(const Scene& scene, std::size_t i) {
     }
     for (std::size_t k = 0; k < scene.rims.size(); ++k) {
         const Rim& rim = scene.rims[k];
+        // A rim that pulls takes balls that are as far inside as their radius.
+        const bool pulls = rim.law == RimLaw::paper;
+        const double open = pulls ? rim.radius - ball.radius : rim.radius;
         const double inside =
-            rim.radius - std::hypot(ball.position.x - rim.center.x, ball.position.y - rim.center.y);
+            open - std::hypot(ball.position.x - rim.center.x, ball.position.y - rim.center.y);
         if (inside > math::kStartOverlap * rim.radius) {
             throw SceneError(
                 at("balls", i, ".position"),
-                concatenated("must not be inside ", at("rims", k, ""), " (\"", rim.id, "\")"),
+                concatenated(pulls ? "must not have fallen into " : "must not be inside ",
+                             at("rims", k, ""), " (\"", rim.id, "\")"),
                 text(ball.position));
         }
     }

@@ -56,6 +56,7 @@ void write_piece(JsonText& json, const Run& run, const Piece& piece) {
     members.number("to", piece.to);
     members.low_part("to_low", piece.to_low);
     members.string("law", to_string(piece.phase));
+    if (piece.phase == Phase::rim) members.string("rim", run.scene.rims[piece.rim].id);
     members.vector("position", piece.position);
     members.rare("position_low", piece.position_low);
     members.vector("velocity", piece.velocity);

@@ -42,7 +42,7 @@ void write_rim(JsonText& json, const Rim& rim) {
     members.string("id", rim.id);
     members.vector("center", rim.center);
     members.number("radius", rim.radius);
-    members.string("law", "capture");
+    members.string("law", to_string(rim.law));
     members.close();
 }
 

@@ -159,9 +159,9 @@ TEST(SceneErrors, UnknownLawsAndNames) {
         {with(R"("impacts": {"simultaneous": "symetric"})"),
          "impacts.simultaneous: must be symmetric or sequential, did you mean symmetric?, "
          "but it is \"symetric\""},
-        {with(R"("rims": [{"id": "r", "center": [0, 0], "radius": 1, "law": "paper"}])"),
-         "rims[0].law: must be capture (paper and tipping are not available yet), "
-         "but it is \"paper\""},
+        {with(R"("rims": [{"id": "r", "center": [0, 0], "radius": 1, "law": "tipping"}])"),
+         "rims[0].law: must be capture or paper (tipping is not available yet), "
+         "but it is \"tipping\""},
         {with(R"("segments": [{"id": "s", "from": [0, 0], "to": [1, 0], "side": "right"}])"),
          "segments[0].side: must be left or both, but it is \"right\""},
         {with(R"("table": "pool-6ft")"),
