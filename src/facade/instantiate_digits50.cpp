@@ -1,15 +1,11 @@
 #include "run_engine.hpp"
 
 namespace osculo::facade {
-// The wider types are for checking, not for speed: few engines cover everything.
+// The wider types are for checking, not for speed: one engine for each motion law.
 
 std::span<const ReadyEngine> digits50_engines() {
     using namespace engine;
     static const std::array kEngines{
-        ready_engine<
-            UniformScene<boost::multiprecision::cpp_bin_float_50, Table, NoRecorder, CellGrid>>(),
-        ready_engine<UniformScene<boost::multiprecision::cpp_bin_float_50, Table, EventRecorder,
-                                  CellGrid>>(),
         ready_engine<UniformScene<boost::multiprecision::cpp_bin_float_50, Table, PieceRecorder,
                                   CellGrid>>(),
         ready_engine<RollingScene<boost::multiprecision::cpp_bin_float_50, RollingPieces>>(),

@@ -1,13 +1,11 @@
 #include "run_engine.hpp"
 
 namespace osculo::facade {
-// The wider types are for checking, not for speed: few engines cover everything.
+// The wider types are for checking, not for speed: one engine for each motion law.
 
 std::span<const ReadyEngine> extended_engines() {
     using namespace engine;
     static const std::array kEngines{
-        ready_engine<UniformScene<long double, Table, NoRecorder, CellGrid>>(),
-        ready_engine<UniformScene<long double, Table, EventRecorder, CellGrid>>(),
         ready_engine<UniformScene<long double, Table, PieceRecorder, CellGrid>>(),
         ready_engine<RollingScene<long double, RollingPieces>>(),
         ready_engine<ResistedScene<long double, ResistedPieces>>(),

@@ -123,7 +123,7 @@ TEST(Simulate, SymmetricImpactsAreTheDefault) {
                    test::ball("down", {0, -1})};
     for (Ball& ball : scene.balls) ball.radius = 1;
     scene.limits.time = 3;
-    const Run run = simulate(scene, {.audit = true});
+    const auto run = simulate(scene, {.audit = true});
     EXPECT_TRUE(run.audit->clean);
     EXPECT_NEAR(run.balls[0].state.velocity.x, -0.2, 1e-14);  // NUMERICS 4.2, T5
     EXPECT_NEAR(run.balls[0].state.velocity.y, 0, 1e-14);
@@ -135,11 +135,11 @@ TEST(Simulate, SymmetricImpactsAreTheDefault) {
     }
     for (const Precision precision :
          {Precision::extended, Precision::quad, Precision::digits50, Precision::digits100}) {
-        const Run wider = simulate(scene, {.precision = precision});
+        const auto wider = simulate(scene, {.precision = precision});
         EXPECT_NEAR(wider.balls[0].state.velocity.x, -0.2, 1e-15);
     }
     scene.impacts.simultaneous = Simultaneous::sequential;
-    const Run sequential = simulate(scene);
+    const auto sequential = simulate(scene);
     EXPECT_NEAR(sequential.balls[0].state.velocity.x, -0.125, 1e-14);
     EXPECT_EQ(sequential.events.front().cluster, 0U);
 }
@@ -152,7 +152,7 @@ TEST(Simulate, WhatIsSlowerThanTheRestSpeedDoesNotBounce) {
         scene.balls.back().radius = 1;
     }
     scene.impacts.ball_ball.restitution = 0.5;
-    const Run run = simulate(scene, {.audit = true});
+    const auto run = simulate(scene, {.audit = true});
     EXPECT_TRUE(run.audit->clean);
     EXPECT_GT(run.settled_count, 10U);
     EXPECT_LT(run.settled_count, run.event_count);
@@ -161,7 +161,7 @@ TEST(Simulate, WhatIsSlowerThanTheRestSpeedDoesNotBounce) {
     scene.impacts.rest_speed = Impacts::kRestShare;
     EXPECT_EQ(simulate(scene).events, run.events);
     scene.impacts.rest_speed = 0;
-    const Run bouncing = simulate(scene);
+    const auto bouncing = simulate(scene);
     EXPECT_EQ(bouncing.settled_count, 0U);
     EXPECT_GT(bouncing.event_count, run.event_count);
 }

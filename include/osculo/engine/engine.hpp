@@ -79,8 +79,15 @@ struct RunLimits {
     std::uint64_t events;
 };
 
+/// What is to be remembered of a run that has been stopped, besides its engine.
+struct Pause {
+    std::uint64_t at_this_instant = 0;  ///< events since time last advanced
+};
+
 /// Plays a scene event by event. See DESIGN 1: motion turns states into paths, detect finds the
 /// earliest contact of every path, the queue orders them, impact changes velocities.
+///
+/// An engine is a value: a copy goes on as the original would, bit for bit.
 template <class Type>
 class Engine {
 public:
@@ -118,7 +125,17 @@ public:
 
     /// Runs until nothing more can happen or a limit is reached. Afterwards every ball that is
     /// still there has its clock at the same instant, time(). To be called once per start.
-    Status run(const RunLimits<S>& limits);
+    Status run(const RunLimits<S>& limits) {
+        Pause begin;
+        return finish(play(limits, begin), limits);
+    }
+
+    /// The same in parts: plays until a limit is reached, and goes on from there when it is called
+    /// again with other limits, as if it had never stopped. Balls keep their own clocks.
+    Status play(const RunLimits<S>& limits, Pause& pause);
+    /// What run() does in the end, once play() has returned that status for those limits: brings
+    /// every ball to the end. Returns the status of the run.
+    Status finish(Status status, const RunLimits<S>& limits);
 
     [[nodiscard]] const std::vector<BodyType>& bodies() const { return scene_.bodies; }
     [[nodiscard]] const Instant& time() const { return now_; }
@@ -196,7 +213,6 @@ private:
     [[nodiscard]] bool gap_explained(const BodyType& one, const BodyType& other, const S& gap,
                                      const S& travelled) const;
     [[nodiscard]] bool all_at_rest() const;
-    Status finish(Status status, const Instant& end);
 
     SceneData<Type> scene_;
     EventQueue<S> queue_;
@@ -225,13 +241,12 @@ void Engine<Type>::start() {
 }
 
 template <class Type>
-Status Engine<Type>::run(const RunLimits<S>& limits) {
+Status Engine<Type>::play(const RunLimits<S>& limits, Pause& pause) {
     const Instant end{limits.time};
     const std::uint64_t most_at_one_instant = 1000 + 100 * std::uint64_t(scene_.bodies.size());
-    std::uint64_t at_this_instant = 0;
     for (;;) {
         if (queue_.empty() || queue_.top().kind == kNothing) {
-            return all_at_rest() ? finish(Status::at_rest, now_) : finish(Status::time_limit, end);
+            return all_at_rest() ? Status::at_rest : Status::time_limit;
         }
         const Scheduled event = queue_.top();
         const BallIndex owner = queue_.top_ball();
@@ -239,7 +254,7 @@ Status Engine<Type>::run(const RunLimits<S>& limits) {
             predict(owner);
             continue;
         }
-        if (event.when > end) return finish(Status::time_limit, end);
+        if (event.when > end) return Status::time_limit;
         if constexpr (Type::BroadPhase::kCrossings) {
             if (event.kind == kCellCrossing) {
                 broad_phase_.cross(owner,
@@ -248,11 +263,11 @@ Status Engine<Type>::run(const RunLimits<S>& limits) {
                 continue;
             }
         }
-        if (event_count_ == limits.events) return finish(Status::event_limit, now_);
-        at_this_instant = event.when == now_ ? at_this_instant + 1 : 0;
-        if (at_this_instant > most_at_one_instant) return finish(Status::zeno, now_);
+        if (event_count_ == limits.events) return Status::event_limit;
+        pause.at_this_instant = event.when == now_ ? pause.at_this_instant + 1 : 0;
+        if (pause.at_this_instant > most_at_one_instant) return Status::zeno;
         now_ = event.when;
-        if (!carry_out(event)) return finish(Status::numeric, now_);
+        if (!carry_out(event)) return Status::numeric;
         ++event_count_;
     }
 }
@@ -283,6 +298,9 @@ bool Engine<Type>::carry_out(const Scheduled& event) {
     if constexpr (Type::Motion::kTransitions) {
         if (event.kind == kTransition) {
             change_phase(event.first);
+            if constexpr (kHasRims<typename Type::Motion>) {
+                return !scene_.bodies[event.first].state.lost;
+            }
             return true;
         }
     }
@@ -357,6 +375,9 @@ bool Engine<Type>::meet_obstacle(const Contact& contact) {
     if constexpr (kEffect<Obstacle> == Effect::capture) {
         body.present = false;
         broad_phase_.remove(i);
+    } else if constexpr (kEffect<Obstacle> == Effect::entry) {
+        Type::Motion::template enter<S>(body.state, contact.second);
+        begin_motion(body);
     } else {
         resolve_cushion(body, normal);
     }
@@ -392,6 +413,12 @@ void Engine<Type>::change_phase(BallIndex i) {
     Type::Motion::template transition<S>(scene_.motion, body.state);
     body.last_kind = kTransition;
     ++body.age;
+    if constexpr (kHasRims<typename Type::Motion>) {
+        if (body.state.fallen) {
+            body.present = false;
+            broad_phase_.remove(i);
+        }
+    }
     if constexpr (Recorder::kEvents) {
         recorder_.events.push_back(
             {now_,
@@ -460,10 +487,9 @@ bool Engine<Type>::all_at_rest() const {
     return true;
 }
 
-/// Brings every ball to the end of the run.
 template <class Type>
-Status Engine<Type>::finish(Status status, const Instant& end) {
-    now_ = end;
+Status Engine<Type>::finish(Status status, const RunLimits<S>& limits) {
+    if (status == Status::time_limit) now_ = Instant{limits.time};
     for (BallIndex i = 0; i < scene_.bodies.size(); ++i) {
         BodyType& body = scene_.bodies[i];
         if (!body.present) continue;

@@ -9,6 +9,7 @@
 #include "osculo/motion/disc.hpp"
 #include "osculo/motion/rolling.hpp"
 #include "osculo/motion/uniform.hpp"
+#include "osculo/motion/with_rims.hpp"
 
 /// The ready-made scene types, narrowest first.
 namespace osculo::engine {
@@ -16,6 +17,9 @@ namespace osculo::engine {
 using NoObstacles = Obstacles<>;
 using Walls = Obstacles<geometry::Segment, geometry::Point>;
 using Table = Obstacles<geometry::Rim, geometry::Segment, geometry::Arc, geometry::Point>;
+/// A table with rims that pull.
+using PullingTable = Obstacles<geometry::PullingRim, geometry::Rim, geometry::Segment,
+                               geometry::Arc, geometry::Point>;
 
 // Contacts of one instant are resolved pair by pair unless the scene type says impact::Symmetric,
 // which is what scenes of the facade say unless they choose otherwise.
@@ -45,6 +49,12 @@ template <math::Scalar S, template <class> class RecorderKind,
 using DiscScene =
     SceneType<S, motion::Disc, Table, impact::DiscFriction, Simultaneous, RecorderKind, AllPairs>;
 
+/// Rims that pull; rolling to rest, or free flight if nothing slows balls down.
+template <math::Scalar S, template <class> class RecorderKind,
+          class Simultaneous = impact::Sequential>
+using RimsScene = SceneType<S, motion::WithRims<motion::Rolling>, PullingTable, impact::Restitution,
+                            Simultaneous, RecorderKind, AllPairs>;
+
 /// Impact laws of balls with spin: friction between balls, and a cushion law.
 template <template <class> class Cushion>
 struct WithFriction {
@@ -73,6 +83,10 @@ template <math::Scalar S>
 using ResistedPieces = StateRecorder<S, motion::Resisted::State<S>, true>;
 template <math::Scalar S>
 using DiscPieces = StateRecorder<S, motion::Disc::State<S>, true>;
+template <math::Scalar S>
+using RimsEvents = StateRecorder<S, motion::WithRims<motion::Rolling>::State<S>, false>;
+template <math::Scalar S>
+using RimsPieces = StateRecorder<S, motion::WithRims<motion::Rolling>::State<S>, true>;
 template <math::Scalar S>
 using ClothEvents = StateRecorder<S, motion::Cloth::State<S>, false>;
 template <math::Scalar S>

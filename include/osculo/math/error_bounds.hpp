@@ -117,4 +117,14 @@ inline constexpr int kClusterJam = 8;
 /// of an impulse, 1 for the velocity).
 inline constexpr int kClusterGain = 8;
 
+/// The last three terms of a Chebyshev series below this many epsilon of its largest one are
+/// rounding: each coefficient is a sum of some dozen values with an error of some epsilon each. An
+/// integral divides its terms by their number and so errs by less than epsilon.
+inline constexpr int kChebyshevTail = 16;
+
+/// |F| at the saddle of a rim's field below this many wide epsilon of its terms is no more than
+/// their rounding (NUMERICS 3.2), 1/2 for each of some ten operations that go into a term and never
+/// add up. Whether such a ball gets over the saddle cannot be told.
+inline constexpr int kRimBalance = 2;
+
 }  // namespace osculo::math

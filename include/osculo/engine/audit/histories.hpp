@@ -121,8 +121,9 @@ private:
     void expect(BallIndex i, const Memory& state, RunAudit& result) {
         History& history = histories_[i];
         const S jump = math::norm<S>(math::difference<S>(state.position, history.state.position));
-        const S bound = S(math::kPieceJump) * math::epsilon<S>() * history.travelled +
-                        resolution<S>(state.position, history.state.velocity, history.now);
+        const S bound =
+            S(math::kPieceJump) * math::epsilon<S>() * history.travelled +
+            resolution<S>(state.position, math::norm1<S>(history.state.velocity), history.now);
         result.note(result.largest_jump, math::to_double<S>(jump / scene_.bodies[i].radius),
                     jump <= bound);
         if (!(motion_change<S>(state, history.state) <= history.noise)) ++result.unexplained;

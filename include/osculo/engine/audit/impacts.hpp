@@ -128,6 +128,7 @@ private:
         S reach = one.radius;
         S smaller = one.radius;
         S path = path_[event.first];
+        S speed = math::norm1<S>(event.before[0].velocity);
         Vec from(S(0), S(0));
         if (event.kind == kBallBall) {
             const Body<Type>& other = body(event, 1);
@@ -137,6 +138,7 @@ private:
             reach = reach + other.radius;
             smaller = std::min<S>(smaller, other.radius);
             path = path + path_[event.second];
+            speed = speed + math::norm1<S>(event.before[1].velocity);
         } else {
             with_obstacle<Type>(scene_, event.kind, event.second, [&](const auto& obstacle) {
                 gap = contact_gap(seen_from(event.before[0].position, origin(obstacle)), one.radius,
@@ -145,9 +147,8 @@ private:
                 from = origin(obstacle);
             });
         }
-        S bound =
-            gap_bound<S>(reach, path) +
-            resolution<S>(event.before[0].position, event.before[0].velocity, event.when, from);
+        S bound = gap_bound<S>(reach, path) +
+                  resolution<S>(event.before[0].position, speed, event.when, from);
         if constexpr (Type::Simultaneous::kGathersCluster) {
             bound = bound + together_gap<S>(
                                 math::norm1<S>(event.before[0].position.rounded()) + path, reach);
