@@ -60,6 +60,8 @@ py::dtype event_dtype() {
         .add<double>("normal", offsetof(Event, normal), 2)
         .add("before", offsetof(Event, before), state_dtype(), 2)
         .add("after", offsetof(Event, after), state_dtype(), 2)
+        .add<std::uint32_t>("cluster", offsetof(Event, cluster))
+        .add<bool>("well_posed", offsetof(Event, well_posed))
         .add<int>("from", offsetof(Event, from))
         .add<int>("to", offsetof(Event, to))
         .of_size(sizeof(Event));

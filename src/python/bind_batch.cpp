@@ -70,14 +70,13 @@ BatchControl control_of(const Progress& progress) {
     return control;
 }
 
-// A batch and the number of balls that its scene has.
+// A batch, which one thread at a time may play.
 class Table {
 public:
     Table(const Scene& scene, const std::string& precision, const std::string& record, bool states,
           std::optional<double> time, std::optional<std::uint64_t> events, unsigned threads,
           std::size_t chunk)
-        : scene_(scene),
-          batch_(scene,
+        : batch_(scene,
                  batch_options(scene, precision, record, states, time, events, threads, chunk)) {}
 
     py::dict strike(const Rows& shots, const Progress& progress) {
@@ -85,7 +84,7 @@ public:
     }
     py::dict release(const Rows& starts, const std::optional<Flags>& present,
                      const Progress& progress) {
-        return play(starts_in(starts, present, scene_.balls.size()), progress);
+        return play(starts_in(starts, present, scene().balls.size()), progress);
     }
 
     py::dict success(const std::array<double, 5>& shot, const std::vector<std::string>& pots,
@@ -106,7 +105,7 @@ public:
             [&] { return success_probability(batch_, strike, goal, options, control); }));
     }
 
-    [[nodiscard]] const Scene& scene() const { return scene_; }
+    [[nodiscard]] const Scene& scene() const { return batch_.scene(); }
     [[nodiscard]] const Batch& batch() const { return batch_; }
 
 private:
@@ -146,8 +145,8 @@ private:
     }
 
     [[nodiscard]] std::uint32_t ball_named(const std::string& id) const {
-        for (std::uint32_t i = 0; i < scene_.balls.size(); ++i) {
-            if (scene_.balls[i].id == id) return i;
+        for (std::uint32_t i = 0; i < scene().balls.size(); ++i) {
+            if (scene().balls[i].id == id) return i;
         }
         throw py::key_error("the scene has no ball '" + id + "'");
     }
@@ -173,7 +172,6 @@ private:
         return result;
     }
 
-    Scene scene_;
     Batch batch_;
     std::mutex playing_;
 };
@@ -213,9 +211,8 @@ threads: 0 is one per core. chunk: shots that a thread takes at a time, 0: a goo
 void bind_batch(py::module_& module) {
     const std::string doc = std::string(R"(A table made ready for many shots: threads that wait.
 
-Every shot gives the same bits as simulate() would. Other Python threads run meanwhile; Ctrl-C ends
-a batch. A batch that is being played cannot be
-played by another thread. Raises SceneError.)") +
+Every shot gives the same bits as simulate() would. Other Python threads run meanwhile, but cannot
+play the same batch; Ctrl-C ends it. Raises SceneError.)") +
                             kOptions;
     py::class_<Table> type(module, "Batch", doc.c_str());
     type.def(py::init<const Scene&, const std::string&, const std::string&, bool,

@@ -74,6 +74,9 @@ void bind_scalars(Type& type) {
         "event_count", [](const RecordedRun& self) { return self.run().event_count; },
         "Number of events, whether recorded or not.");
     type.def_property_readonly(
+        "settled_count", [](const RecordedRun& self) { return self.run().settled_count; },
+        "Number of impacts that did not bounce because they were too slow.");
+    type.def_property_readonly(
         "engine", [](const RecordedRun& self) { return self.run().engine.name; },
         "Name of the engine that ran the scene.");
     type.def_property_readonly(
@@ -92,8 +95,9 @@ void bind_arrays(Type& type) {
 time + time_low [s]: the instant. kind: code, see EVENT_KINDS. ball: index into scene.ids. other:
 index into scene.ids, the scene's segments, arcs or rims, or `points`, by kind. point: where the
 boundaries touch (capture: the centre) [m]. normal: unit, from ball to other. before, after: states
-(position [m], velocity [m/s], spin [rad/s]) of the ball and, for ball_ball, the other one. from, to:
-codes of the phases of a transition, see PHASES.)");
+(position [m], velocity [m/s], spin [rad/s]) of the ball and, for ball_ball, the other one. cluster:
+the same number, from 1 on, for contacts that were resolved together, else 0; well_posed: whether
+every law has the same outcome for them. from, to: codes of the phases of a transition, see PHASES.)");
     type.def_property_readonly(
         "pieces",
         [](const py::object& self) {
@@ -102,8 +106,8 @@ codes of the phases of a transition, see PHASES.)");
         R"(Every trajectory, in analytic pieces: a structured array, a view.
 
 ball: index into scene.ids. from + from_low, to + to_low [s]. position + position_low [m], velocity
-[m/s] and spin [rad/s] at `from`; acceleration [m/s^2], spin_rate [rad/s^2]. phase: code, see PHASES.
-Run.at() evaluates them.)");
+[m/s] and spin [rad/s] at `from`; acceleration [m/s^2], spin_rate [rad/s^2], resistance (of drag).
+phase: code, see PHASES. Run.at() evaluates them.)");
     type.def_property_readonly(
         "balls", [](const RecordedRun& self) { return final_balls(self.run()); },
         R"(The balls at the end (captured ones as they were then): a structured array.

@@ -3,6 +3,7 @@
 import os
 import signal
 import threading
+import tracemalloc
 
 import numpy as np
 import pytest
@@ -86,6 +87,24 @@ def test_results_are_views_that_live_on():
     del batch
     for name, column in first.items():
         np.testing.assert_array_equal(column, kept[name], name)
+
+
+def peak_of_numpy(play):
+    """Memory that numpy and Python allocate meanwhile, at most [bytes]."""
+    tracemalloc.start()
+    try:
+        play()
+        return tracemalloc.get_traced_memory()[1]
+    finally:
+        tracemalloc.stop()
+
+
+def test_contiguous_doubles_are_read_in_place():
+    batch = osculo.Batch(SCENE)
+    shots = np.full((100_000, 5), -1.0)  # invalid ones take no time
+    assert peak_of_numpy(lambda: batch.strike(shots)) < 100_000
+    narrow = shots.astype(np.float32)
+    assert peak_of_numpy(lambda: batch.strike(narrow)) > shots.nbytes
 
 
 def test_no_shots():

@@ -126,6 +126,21 @@ def test_fouls():
     assert "cue" in env.scene.ids  # placed anew
 
 
+def test_whole_episodes_of_random_shots():
+    env = module.EightBallPotting(table="pool-7ft", noise=1.0, most_shots=25)
+    env.action_space.seed(11)
+    potted = 0
+    for seed in range(12):
+        observation, _ = env.reset(seed=seed)
+        terminated = truncated = False
+        while not (terminated or truncated):
+            observation, _, terminated, truncated, info = env.step(env.action_space.sample())
+            assert observation in env.observation_space
+            assert int(observation[:, 2].sum()) == len(env.scene)
+            potted += len(info["potted"])
+    assert potted > 20
+
+
 def test_an_episode_ends_after_so_many_shots():
     env = module.EightBallPotting(most_shots=2)
     env.reset(seed=0, options={"scene": straight_at_left_pocket(_8=(1.0, 2.0))})
@@ -161,7 +176,8 @@ def test_gymnasium_is_used_if_it_is_there(monkeypatch):
     gymnasium, spaces = types.ModuleType("gymnasium"), types.ModuleType("gymnasium.spaces")
 
     class Env:
-        pass
+        def reset(self, *, seed=None, options=None):
+            self.np_random = np.random.default_rng(seed)
 
     class Box:
         def __init__(self, low, high, shape=None, dtype=None):
@@ -176,6 +192,7 @@ def test_gymnasium_is_used_if_it_is_there(monkeypatch):
     fresh = importlib.import_module("osculo.env")
     env = fresh.EightBallPotting()
     assert isinstance(env, Env) and isinstance(env.action_space, Box)
+    assert (env.reset(seed=7)[0] == module.EightBallPotting().reset(seed=7)[0]).all()
     monkeypatch.setitem(sys.modules, "osculo.env", module)
 
 

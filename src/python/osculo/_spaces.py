@@ -8,7 +8,21 @@ __all__ = ["Box", "Env"]
 
 
 class Env:
-    """Something with reset() and step()."""
+    """Something with reset() and step(), and random numbers of its own."""
+
+    _np_random: Optional[numpy.random.Generator] = None
+
+    @property
+    def np_random(self) -> numpy.random.Generator:
+        """The same numbers as Gymnasium's for the same seed."""
+        if self._np_random is None:
+            self._np_random = numpy.random.default_rng()
+        return self._np_random
+
+    def reset(self, *, seed: Optional[int] = None, options: Optional[dict[str, Any]] = None) -> Any:
+        """Begins the random numbers anew, with a seed."""
+        if seed is not None:
+            self._np_random = numpy.random.default_rng(seed)
 
 
 class Box:

@@ -73,7 +73,6 @@ class EightBallPotting(_Env):  # type: ignore[misc]
         self.observation_space = Box(low=0.0, high=1.0, shape=(16, 3), dtype=numpy.float32)
         self.render_mode = render_mode
         self._table, self._balls, self._noise, self._most_shots = table, balls, noise, most_shots
-        self._rng = numpy.random.default_rng()
         self._scene: Optional[Scene] = None
         self._shots = 0
 
@@ -89,11 +88,11 @@ class EightBallPotting(_Env):  # type: ignore[misc]
     ) -> tuple[_Array, dict[str, Any]]:
         """A new episode. The same seed gives the same layout, noise and placements; without one
         they go on from the last. options: {"scene": Scene} begins with that one."""
-        if seed is not None:
-            self._rng = numpy.random.default_rng(seed)
-        drawn = int(self._rng.integers(2**31))
+        super().reset(seed=seed)
+        drawn = int(self.np_random.integers(2**31))
         given = (options or {}).get("scene")
-        self._scene = given or eightball.random_layout(drawn, self._table, self._balls)
+        layout = eightball.random_layout(drawn, self._table, self._balls)
+        self._scene = layout if given is None else given
         self._shots = 0
         return self._observation(), {}
 
@@ -137,7 +136,7 @@ class EightBallPotting(_Env):  # type: ignore[misc]
         shot = numpy.array([[speed, azimuth, math.nan, side * shrink, height * shrink]])
         if self._noise == 0:
             return shot
-        seed = int(self._rng.integers(2**63))
+        seed = int(self.np_random.integers(2**63))
         radius = float(self.scene.radii[0])
         noisy: _Array = perturb(shot, draws=1, radius=radius, noise=self._noise, seed=seed)[0]
         return noisy
@@ -151,7 +150,7 @@ class EightBallPotting(_Env):  # type: ignore[misc]
         index = scene.ids.index("cue")
         if fell[index]:
             taken = numpy.array(list(standing.values())).reshape(-1, 2)
-            cue = eightball.place(scene, taken, self._rng)
+            cue = eightball.place(scene, taken, self.np_random)
         else:
             cue = positions[index]
         return scene.replace(balls=eightball.balls_at({"cue": cue, **standing}))

@@ -5,7 +5,7 @@
     importers.from_fastfiz(state, {"a": 0, "b": 0, "theta": 5, "phi": 90, "v": 3})
 
 Geometry, balls and strike are those of the description; the laws are the nearest that osculo has,
-as each function says.
+as each function says. Contacts at one instant are resolved one after another, as they do.
 """
 
 import math
@@ -177,6 +177,7 @@ def from_pooltool(
         impacts={
             "ball_ball": _pooltool_ball_ball(ball_ball, balls),
             "ball_cushion": _pooltool_cushion(ball_cushion, balls, max(heights)),
+            "simultaneous": "sequential",
         },
         cue=_pooltool_cue(cue) if strikes else None,
     )
@@ -321,6 +322,7 @@ def from_fastfiz(
                 "friction": _FASTFIZ_BALL_FRICTION,
             },
             "ball_cushion": {"law": "restitution", "restitution": _FASTFIZ_RAIL_RESTITUTION},
+            "simultaneous": "sequential",
         },
         cue=_fastfiz_cue(shot) if shot else None,
         closed=True,
