@@ -43,7 +43,7 @@ std::uint64_t fingerprint(const Scene& scene) {
 }
 
 TEST(Presets, AreValidAndAlwaysTheSame) {
-    ASSERT_EQ(list().size(), 10U);
+    ASSERT_EQ(list().size(), 13U);
     for (const Info& info : list()) {
         const Scene scene = make(info.name);
         EXPECT_NO_THROW(validate(scene)) << info.name;
