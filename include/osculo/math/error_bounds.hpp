@@ -78,8 +78,8 @@ inline constexpr int kMotionNoise = 8;
 /// How far what a certified path says of a place may be off, in units of epsilon times the way gone
 /// since its start, and of a velocity, times that at the start: of the closed forms of motion with
 /// drag 1/2 for each of some ten operations on g, the rest for log(1 + x) and e^-x (motion/
-/// slowing.hpp; tests/motion/slowing_test.cpp). Four times as much for the wider types where k^2 / 4
-/// and m c are nearly equal.
+/// slowing.hpp; tests/motion/slowing_test.cpp). Four times as much for the wider types where k^2 /
+/// 4 and m c are nearly equal.
 inline constexpr int kPathNoise = 8;
 
 /// Contacts of a cluster approach if stopping the pair would take more than the square of this many
