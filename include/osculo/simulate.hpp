@@ -29,6 +29,10 @@ struct Options {
     Record record = Record::pieces;
     bool audit =
         false;  ///< check the run from its pieces; records them for that whatever `record` is
+    /// Run the scene in higher precisions as well and say how far the run can be trusted
+    /// (certificate.hpp); keeps the events, which it is about, whatever `record` is. Takes some 10
+    /// to 1000 times as long; not for precision digits100.
+    bool certify = false;
 };
 
 /// Runs the scene to rest or to its limits. Throws SceneError if the scene breaks a rule, or if no

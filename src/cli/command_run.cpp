@@ -24,11 +24,13 @@ struct RunArguments {
     std::optional<double> time;
     std::optional<std::uint64_t> events;
     bool audit = false;
+    bool certify = false;
     bool quiet = false;
 };
 
-ExitCode exit_code_of(Status status) {
-    return status == Status::at_rest || status == Status::time_limit ? kFinished : kEndedEarly;
+ExitCode exit_code_of(const Run& run) {
+    if (run.status != Status::at_rest && run.status != Status::time_limit) return kEndedEarly;
+    return run.certificate && !run.certificate->certain() ? kUncertain : kFinished;
 }
 
 Run simulate_named(const Scene& scene, const Options& options, const std::string& name) {
@@ -46,6 +48,7 @@ ExitCode run(const RunArguments& arguments) {
     const bool shows_pieces = !arguments.output.empty() || !arguments.svg.empty();
     Options options = arguments.engine.options(shows_pieces ? Record::pieces : Record::events);
     options.audit = arguments.audit;
+    options.certify = arguments.certify;
 
     const auto start = std::chrono::steady_clock::now();
     const Run result = [&] {
@@ -67,7 +70,7 @@ ExitCode run(const RunArguments& arguments) {
             write_output(text);
         }
     }
-    return exit_code_of(result.status);
+    return exit_code_of(result);
 }
 
 }  // namespace
@@ -81,6 +84,8 @@ void add_run(CLI::App& app, ExitCode& exit_code) {
     command->add_option("--svg", arguments->svg, "write a picture of the run")->option_text("FILE");
     arguments->engine.add_to(*command, "pieces with -o or --svg, else events");
     command->add_flag("--audit", arguments->audit, "check the run from its pieces alone");
+    command->add_flag("--certify", arguments->certify,
+                      "run again in higher precisions, and say how many digits can be trusted");
     command->add_option("--time", arguments->time, "simulated time to end at [s]")
         ->option_text("T [as in the scene]");
     command->add_option("--events", arguments->events, "number of events to end at")
@@ -92,7 +97,9 @@ void add_run(CLI::App& app, ExitCode& exit_code) {
         "  osculo run preset:break -o run.json --svg shot.svg\n"
         "  osculo run scene.json --time 5 --audit\n"
         "  osculo run - -o - < scene.json > run.json\n"
-        "Exit code: 0 at rest or at the time limit, 1 ended early.");
+        "  osculo run preset:gas --certify --time 3\n"
+        "Exit code: 0 at rest or at the time limit, 1 ended early, 5 not all of it certain "
+        "(--certify).");
     command->callback([arguments, &exit_code] { exit_code = run(*arguments); });
 }
 

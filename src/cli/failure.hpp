@@ -11,6 +11,7 @@ enum ExitCode {
     kUsage = 2,
     kInvalidScene = 3,
     kInputOutput = 4,
+    kUncertain = 5,  // --certify: not every event is certain
     kInterrupted = 130,
 };
 

@@ -146,6 +146,63 @@ void report_audit(Report& report, const Audit& audit) {
     }
 }
 
+// Fewest digits of the confirmed ones; nothing if there are none.
+template <class Range, class Digits>
+std::optional<double> fewest(const Range& range, Digits digits) {
+    std::optional<double> found;
+    for (const auto& element : range) {
+        if (element.confirmed) found = std::min(found.value_or(99), digits(element));
+    }
+    return found;
+}
+
+void report_certificate(Report& report, const Run& run, const Certificate& certificate) {
+    using EventDigits = Certificate::EventDigits;
+    using BallDigits = Certificate::BallDigits;
+    const auto& events = certificate.events;
+    const auto confirmed = std::ranges::count(events, true, &EventDigits::confirmed);
+    report.line("certified",
+                fmt::format("{} of {}, by {}{}", confirmed, counted(events.size(), "event"),
+                            certificate.reference,
+                            certificate.witness.empty() ? "" : " and " + certificate.witness));
+    if (!certificate.conclusive) {
+        report.line("", "NOT CONCLUSIVE: no two higher precisions agree as far as that");
+    }
+    if (const auto time = fewest(events, [](const EventDigits& e) { return e.time; })) {
+        report.line(
+            "", fmt::format("digits at least: time {:.1f}, position {:.1f}, velocity {:.1f}", *time,
+                            *fewest(events, [](const EventDigits& e) { return e.position; }),
+                            *fewest(events, [](const EventDigits& e) { return e.velocity; })));
+    }
+    const auto at = [&](std::uint64_t index) {
+        const Event& event = run.events[index];
+        const auto [ball, other] = run.ids(event);
+        return fmt::format("event {}, {} of {}{} at {:.9g} s", index, to_string(event.kind), ball,
+                           other.empty() ? "" : " and " + other, event.time);
+    };
+    if (certificate.first_uncertain) {
+        report.line("", "first uncertain: " + at(*certificate.first_uncertain));
+    }
+    if (certificate.first_out_of_order &&
+        certificate.first_out_of_order != certificate.first_uncertain) {
+        report.line("", "first whose order is uncertain: " + at(*certificate.first_out_of_order));
+    }
+    constexpr std::size_t kMost = 24;
+    std::size_t count = 0;
+    for (std::size_t i = 0; i < run.balls.size(); ++i) {
+        const BallDigits& ball = certificate.balls[i];
+        if (!ball.confirmed || ++count > kMost) continue;
+        report.line(count == 1 ? "digits" : "",
+                    fmt::format("{:<6} position {:4.1f}, velocity {:4.1f}", run.scene.balls[i].id,
+                                ball.position, ball.velocity));
+    }
+    if (count > kMost) report.line("", fmt::format("and {} more", count - kMost));
+    if (count < run.balls.size()) {
+        report.line(count == 0 ? "digits" : "",
+                    counted(run.balls.size() - count, "ball") + " without any");
+    }
+}
+
 }  // namespace
 
 std::string summary(const Run& run, const std::string& name, double seconds) {
@@ -159,6 +216,7 @@ std::string summary(const Run& run, const std::string& name, double seconds) {
     report_outcome(report, run);
     if (!run.scene.cue) report_energy(report, run);
     if (run.audit) report_audit(report, *run.audit);
+    if (run.certificate) report_certificate(report, run, *run.certificate);
     report.line("engine", run.engine.name);
     report.line("took",
                 fmt::format("{:.3g} s, {:.3g} events/s", seconds,

@@ -3,6 +3,7 @@
 #include <array>
 #include <utility>
 
+#include "certify.hpp"
 #include "ready_engine.hpp"
 
 namespace osculo {
@@ -33,11 +34,22 @@ std::optional<Precision> precision_from_string(std::string_view name) {
 
 Run simulate(const Scene& scene, const Options& options) {
     validate(scene);
-    Run run = facade::narrowest_engine(scene, options).run(scene, options.audit);
+    if (options.audit) {
+        for (std::size_t k = 0; k < scene.rims.size(); ++k) {
+            if (scene.rims[k].law == RimLaw::capture) continue;
+            throw SceneError("rims[" + std::to_string(k) + "].law",
+                             "must be capture for an audit, which cannot follow other laws yet",
+                             std::string(to_string(scene.rims[k].law)));
+        }
+    }
+    Options kept = options;
+    if (options.certify && options.record == Record::none) kept.record = Record::events;
+    Run run = facade::narrowest_engine(scene, kept).run(scene, options.audit);
     run.scene = scene;
-    run.engine = choose_engine(scene, options);
+    run.engine = choose_engine(scene, kept);
+    if (options.certify) run.certificate = facade::certify(run, options.precision);
     // An audit needs the pieces, whether they are wanted or not.
-    if (options.record == Record::none) run.events.clear();
+    if (kept.record == Record::none) run.events.clear();
     if (options.record != Record::pieces) run.pieces.clear();
     return run;
 }

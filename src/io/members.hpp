@@ -33,6 +33,10 @@ public:
         key(name);
         json_.vector(value);
     }
+    void boolean(std::string_view name, bool value) {
+        key(name);
+        json_.boolean(value);
+    }
     // Left out if zero.
     void low_part(std::string_view name, double value) {
         if (!is_plus_zero(value)) number(name, value);

@@ -21,7 +21,8 @@ TEST(Help, IsThereForEveryCommandWithAnExample) {
     const Result help = osculo({"--help"});
     EXPECT_EQ(help.code, 0);
     EXPECT_EQ(help.err, "");
-    for (const char* command : {"run", "render", "validate", "explain", "expand", "presets"}) {
+    for (const char* command : {"run", "render", "replay", "validate", "explain", "expand",
+                                "presets", "batch", "merge"}) {
         EXPECT_TRUE(contains(help.out, std::string("\n  ") + command)) << command;
         const Result own = osculo({command, "--help"});
         EXPECT_EQ(own.code, 0);
@@ -102,6 +103,29 @@ TEST(Run, TakesItsOptions) {
     }
 }
 
+TEST(Run, CertifiesWhatCanBeTrusted) {
+    const Result result = osculo({"run", "preset:carom", "--certify"});
+    EXPECT_EQ(result.code, 0) << result.out;
+    EXPECT_TRUE(
+        contains(result.out, " events, by quad and extended\n            digits at least: "))
+        << result.out;
+    EXPECT_TRUE(contains(result.out, "\n  digits    "));
+    EXPECT_FALSE(contains(result.out, "uncertain"));
+    const Result early =
+        osculo({"run", "preset:gas", "--certify", "--time", "1e9", "--events", "400"});
+    EXPECT_EQ(early.code, 1) << early.out;  // that it ended early matters more
+    const Result lost = osculo({"run", "preset:gas", "--certify", "-o", "-"});
+    EXPECT_EQ(lost.code, 5) << lost.err;
+    EXPECT_TRUE(contains(lost.err, "first uncertain: event ")) << lost.err;
+    const osculo::Run run = io::run_from_json(lost.out);
+    ASSERT_TRUE(run.certificate.has_value());
+    EXPECT_FALSE(run.certificate->certain());
+    EXPECT_EQ(run_to_json(run), lost.out);
+    const Result highest = osculo({"run", "preset:carom", "--certify", "--precision", "100"});
+    EXPECT_EQ(highest.code, 3);
+    EXPECT_TRUE(contains(highest.err, "must be below 100 digits")) << highest.err;
+}
+
 TEST(Run, ExitCodeSaysHowItEnded) {
     EXPECT_EQ(osculo({"run", "preset:gas", "--time", "0.01"}).code, 0);
     const Result early = osculo({"run", "preset:gas", "--events", "10"});
@@ -111,6 +135,17 @@ TEST(Run, ExitCodeSaysHowItEnded) {
     Scene still = presets::make("cradle");
     still.balls[0].velocity = {};
     EXPECT_EQ(osculo({"run", "-"}, scene_to_json(still)).code, 0);
+}
+
+TEST(Replay, WritesAPageOfRunsAndScenes) {
+    const Scene scene = presets::make("carom");
+    const osculo::Run run = simulate(scene);
+    EXPECT_EQ(osculo({"replay", "-"}, run_to_json(run)).out, io::to_html(run));
+    EXPECT_EQ(osculo({"replay", "preset:carom", "--width", "700"}).out, io::to_html(run, 700));
+    const Result bare =
+        osculo({"replay", "-"}, run_to_json(simulate(scene, {.record = Record::events})));
+    EXPECT_EQ(bare.code, 4);
+    EXPECT_TRUE(contains(bare.err, "no pieces")) << bare.err;
 }
 
 TEST(Render, DrawsScenesAndRuns) {

@@ -12,8 +12,10 @@ namespace {
 
 bool equal(const osculo::Run& a, const osculo::Run& b) {
     return a.scene == b.scene && a.status == b.status && a.time == b.time &&
-           a.event_count == b.event_count && a.engine == b.engine && a.points == b.points &&
-           a.events == b.events && a.pieces == b.pieces && a.balls == b.balls && a.audit == b.audit;
+           a.event_count == b.event_count && a.settled_count == b.settled_count &&
+           a.engine == b.engine && a.points == b.points && a.events == b.events &&
+           a.pieces == b.pieces && a.balls == b.balls && a.audit == b.audit &&
+           a.certificate == b.certificate;
 }
 
 // A small run with one of everything, made by hand.
@@ -26,6 +28,7 @@ osculo::Run small_run() {
     run.status = Status::event_limit;
     run.time = 4;
     run.event_count = 3;
+    run.settled_count = 2;
     run.engine = {"test", {"nothing"}};
     run.points = {"wall.from", "wall.to"};
     const BallState moving{{2, 0}, {1, 0}, {}};
@@ -34,6 +37,8 @@ osculo::Run small_run() {
         {2, 1e-17, EventKind::ball_ball, 0, 1, {2.5, 0}, {1, 0}, {moving, still}, {still, moving}});
     run.events.push_back(
         {2.5, 0, EventKind::ball_point, 1, 1, {5, 1}, {0.6, 0.8}, {moving, {}}, {still, {}}});
+    run.events[0].cluster = run.events[1].cluster = 1;
+    run.events[0].well_posed = run.events[1].well_posed = false;
     run.events.push_back(
         {3, 0, EventKind::capture, 0, 0, {-2, 0}, {-1, 0}, {moving, {}}, {moving, {}}});
     run.pieces.push_back({0, 0, 0, 2, 1e-17, {0, 0}, {0, -1e-18}, {1, 0}, {}});
@@ -54,6 +59,7 @@ TEST(RunJson, IsWrittenAsDocumented) {
   "status": "event_limit",
   "time": 4,
   "event_count": 3,
+  "settled_count": 2,
   "engine": {"name": "test", "left_out": [
     "nothing"
   ]},
@@ -81,8 +87,8 @@ TEST(RunJson, IsWrittenAsDocumented) {
   ],
   "points": ["wall.from", "wall.to"],
   "events": [
-    {"time": 2, "time_low": 1e-17, "kind": "ball_ball", "ids": ["a", "b"], "point": [2.5, 0], "normal": [1, 0], "before": [{"position": [2, 0], "velocity": [1, 0]}, {"position": [3, 0], "velocity": [0, 0], "spin": [0, 0, 7]}], "after": [{"position": [3, 0], "velocity": [0, 0], "spin": [0, 0, 7]}, {"position": [2, 0], "velocity": [1, 0]}]},
-    {"time": 2.5, "kind": "ball_point", "ids": ["b", "wall.to"], "point": [5, 1], "normal": [0.6, 0.8], "before": [{"position": [2, 0], "velocity": [1, 0]}], "after": [{"position": [3, 0], "velocity": [0, 0], "spin": [0, 0, 7]}]},
+    {"time": 2, "time_low": 1e-17, "kind": "ball_ball", "ids": ["a", "b"], "point": [2.5, 0], "normal": [1, 0], "cluster": 1, "well_posed": false, "before": [{"position": [2, 0], "velocity": [1, 0]}, {"position": [3, 0], "velocity": [0, 0], "spin": [0, 0, 7]}], "after": [{"position": [3, 0], "velocity": [0, 0], "spin": [0, 0, 7]}, {"position": [2, 0], "velocity": [1, 0]}]},
+    {"time": 2.5, "kind": "ball_point", "ids": ["b", "wall.to"], "point": [5, 1], "normal": [0.6, 0.8], "cluster": 1, "well_posed": false, "before": [{"position": [2, 0], "velocity": [1, 0]}], "after": [{"position": [3, 0], "velocity": [0, 0], "spin": [0, 0, 7]}]},
     {"time": 3, "kind": "capture", "ids": ["a", "hole"], "point": [-2, 0], "normal": [-1, 0], "before": [{"position": [2, 0], "velocity": [1, 0]}], "after": [{"position": [2, 0], "velocity": [1, 0]}]}
   ],
   "pieces": [
@@ -134,6 +140,59 @@ TEST(RunJson, NumbersThatAreNotFiniteSurvive) {
     EXPECT_TRUE(std::isnan(again.pieces[0].velocity.x));
 }
 
+TEST(RunJson, HasTheCertificate) {
+    osculo::Run run = small_run();
+    run.certificate = Certificate{"quad", "extended", true, 2, 1, {}, {}};
+    run.certificate->events = {{true, 15.5, 14, 13}, {true, 16, 16, 16}, {}};
+    run.certificate->balls = {{true, 12.25, 11}, {}};
+    const std::string text = run_to_json(run);
+    const std::size_t from = text.find("  \"certificate\"");
+    EXPECT_EQ(text.substr(from, text.find("  \"outcome\"") - from), R"(  "certificate": {
+    "certain": false,
+    "reference": "quad",
+    "witness": "extended",
+    "conclusive": true,
+    "first_uncertain": 2,
+    "first_out_of_order": 1,
+    "balls": [
+      {"id": "a", "confirmed": true, "position": 12.25, "velocity": 11},
+      {"id": "b", "confirmed": false}
+    ],
+    "events": [
+      {"confirmed": true, "time": 15.5, "position": 14, "velocity": 13},
+      {"confirmed": true, "time": 16, "position": 16, "velocity": 16},
+      {"confirmed": false}
+    ]
+  },
+)");
+    EXPECT_TRUE(equal(run_from_json(text), run));
+    run.certificate = simulate(presets::make("carom"), {.certify = true}).certificate;
+    run.certificate->balls.resize(2);
+    EXPECT_TRUE(equal(run_from_json(run_to_json(run)), run));
+}
+
+TEST(RunJson, ACertificateMustFitItsRun) {
+    osculo::Run run = small_run();
+    run.certificate = Certificate{"quad", "extended", true, 1, 1, {{}}, {{}, {}}};
+    const auto message = [&run] {
+        try {
+            static_cast<void>(run_from_json(run_to_json(run)));
+        } catch (const SceneError& error) {
+            return std::string(error.what());
+        }
+        return std::string();
+    };
+    EXPECT_EQ(message(), "certificate.first_uncertain: must be the index of an event, but it is 1");
+    run.certificate->first_uncertain = run.certificate->first_out_of_order = 0;
+    EXPECT_EQ(message(), "");
+    std::string text = run_to_json(run);
+    text.replace(text.find("\"certain\": false"), 16, "\"certain\": true");
+    EXPECT_THROW(static_cast<void>(run_from_json(text)), SceneError);
+    run.certificate->balls.pop_back();
+    EXPECT_EQ(message().substr(0, 70),
+              "certificate.balls: must have as many elements as the scene has balls, ");
+}
+
 std::string error_after_replacing(const std::string& what, const std::string& by) {
     std::string text = run_to_json(small_run());
     const std::size_t at = text.find(what);
@@ -167,6 +226,8 @@ TEST(RunJson, ErrorsHavePaths) {
               "balls[0].mass: must be > 0, but it is -1");
     EXPECT_EQ(error_after_replacing("\"mass\": 1,", "\"mass\": \"x\","),
               "scene.balls[0].mass: must be a number, but it is \"x\"");
+    EXPECT_EQ(error_after_replacing("\"cluster\": 1", "\"cluster\": 0"),
+              "events[0].cluster: must be from 1 to 4294967295, but it is 0");
     EXPECT_EQ(error_after_replacing("\"kisses\": 0", "\"kises\": 0"),
               "outcome.kises: unknown key, did you mean kisses?");
     EXPECT_EQ(error_after_replacing("\"kisses\": 0", "\"kisses\": 1"),

@@ -151,12 +151,17 @@ TEST(SceneErrors, UnknownLawsAndNames) {
          "but it is a law with the height of a nose"},
         {with(R"("cue": {"ball": "a", "speed": 1, "azimuth": 0})"),
          "cue: needs balls with spin, that is, the motion law cloth, but it is a cue"},
-        {with(R"("impacts": {"simultaneous": "symmetric"})"),
-         "impacts.simultaneous: must be sequential (symmetric is not available yet), "
-         "but it is \"symmetric\""},
-        {with(R"("rims": [{"id": "r", "center": [0, 0], "radius": 1, "law": "paper"}])"),
-         "rims[0].law: must be capture (paper and tipping are not available yet), "
-         "but it is \"paper\""},
+        // Found by a fuzzer: the search for the elevation did not end.
+        {with(R"("motion": {"law": "cloth"},
+                 "balls": [{"id": "a", "mass": 1, "radius": 1, "position": [0, 0]}],
+                 "cue": {"ball": "a", "speed": 1, "azimuth": 1e300})"),
+         "cue.azimuth: must be from -1e12 to 1e12 rad, but it is 1e+300"},
+        {with(R"("impacts": {"simultaneous": "symetric"})"),
+         "impacts.simultaneous: must be symmetric or sequential, did you mean symmetric?, "
+         "but it is \"symetric\""},
+        {with(R"("rims": [{"id": "r", "center": [0, 0], "radius": 1, "law": "tipping"}])"),
+         "rims[0].law: must be capture or paper (tipping is not available yet), "
+         "but it is \"tipping\""},
         {with(R"("segments": [{"id": "s", "from": [0, 0], "to": [1, 0], "side": "right"}])"),
          "segments[0].side: must be left or both, but it is \"right\""},
         {with(R"("table": "pool-6ft")"),

@@ -48,11 +48,12 @@ template <math::Scalar S>
     return {p.x - q.x, p.y - q.y};
 }
 
-/// Rounding of a place on a path that started at [start].
-template <math::Scalar S>
-[[nodiscard]] S path_blur(const math::WidePoint<S>& place, const math::WidePoint<S>& start) {
-    return S(math::kPathNoise) * math::epsilon<S>() *
-           math::norm1<S>(math::difference<S>(place, start));
+/// Rounding of a place on a path.
+template <math::Scalar S, class Path>
+[[nodiscard]] S path_blur(const Path& path, const math::WidePoint<S>& place) {
+    S way = math::norm1<S>(math::difference<S>(place, path.position));
+    if constexpr (requires { path.size; }) way = way + path.size;
+    return S(math::kPathNoise) * math::epsilon<S>() * way;
 }
 
 }  // namespace detail
@@ -77,8 +78,8 @@ struct BetweenPaths {
         const math::WidePoint<S> place = detail::wide_difference<S>(one.position, other.position);
         return {place, place.rounded(), one.velocity - other.velocity,
                 one.half_acceleration - other.half_acceleration,
-                S(detail::path_blur<S>(one.position, first.position) +
-                  detail::path_blur<S>(other.position, second.position))};
+                S(detail::path_blur<S>(first, one.position) +
+                  detail::path_blur<S>(second, other.position))};
     }
     [[nodiscard]] S jerk(const S& t, const S& h) const {
         return first.jerk_bound(t, h) + second.jerk_bound(t, h);
@@ -105,7 +106,7 @@ struct FromPoint {
         const motion::ParabolicPath<S> now = path.quadratic(t);
         const math::WidePoint<S> place = math::wide_difference<S>(now.position, point);
         return {place, place.rounded(), now.velocity, now.half_acceleration,
-                detail::path_blur<S>(now.position, path.position)};
+                detail::path_blur<S>(path, now.position)};
     }
     [[nodiscard]] S jerk(const S& t, const S& h) const { return path.jerk_bound(t, h); }
     [[nodiscard]] S speed() const { return math::norm1<S>(path.at(S(0)).velocity); }

@@ -84,7 +84,9 @@ private:
         const auto initial = [&] {
             return length_beyond<S>(seen_from(one.state.position, other.state.position), reach);
         };
-        note(gap, smaller, math::narrow(reach), S(path_[a.ball] + path_[b.ball]), a, start,
+        const S speed =
+            math::norm1<S>(beginning(a).velocity) + math::norm1<S>(beginning(b).velocity);
+        note(gap, smaller, math::narrow(reach), S(path_[a.ball] + path_[b.ball]), speed, a, start,
              {kBallBall, b.ball}, beginning(b).position.rounded(), initial);
     }
 
@@ -114,16 +116,17 @@ private:
                 return contact_gap(seen_from(body.state.position, origin(obstacle)), body.radius,
                                    obstacle);
             };
-            note(gap, body.radius, body.radius + contact_reach(obstacle), path_[piece.ball], piece,
-                 piece.from, {kFirstObstacle + static_cast<Kind>(K), k}, origin(obstacle), initial);
+            note(gap, body.radius, body.radius + contact_reach(obstacle), path_[piece.ball],
+                 math::norm1<S>(beginning(piece).velocity), piece, piece.from,
+                 {kFirstObstacle + static_cast<Kind>(K), k}, origin(obstacle), initial);
         }
     }
 
-    /// [initial] gives the gap of the two at the start of the run: a scene may start with a small
-    /// overlap, which is theirs until they are apart.
+    /// [speed]: of both, together. [initial] gives the gap of the two at the start of the run: a
+    /// scene may start with a small overlap, which is theirs until they are apart.
     template <class InitialGap>
     void note(const GapAt<S>& found, const S& smaller_radius, const S& reach, const S& path,
-              const Piece& piece, const math::Instant<S>& start, Thing other,
+              const S& speed, const Piece& piece, const math::Instant<S>& start, Thing other,
               const math::Vec<S>& from, InitialGap initial) {
         const double share = math::to_double<S>(found.gap / smaller_radius);
         if (!(share >= result_.worst_gap)) {
@@ -134,9 +137,8 @@ private:
         }
         if (found.gap >= S(0)) return;
         const S allowed = std::clamp<S>(-initial(), S(0), S(math::kStartOverlap) * smaller_radius);
-        const S bound =
-            allowed + gap_bound<S>(reach, path) +
-            resolution<S>(beginning(piece).position, beginning(piece).velocity, piece.to, from);
+        const S bound = allowed + gap_bound<S>(reach, path) +
+                        resolution<S>(beginning(piece).position, speed, piece.to, from);
         result_.clean = result_.clean && found.gap >= -bound;
     }
 

@@ -67,6 +67,11 @@ private:
         // What an impact changes is checked with the impact; nothing else changes anything.
         const bool impact = event.kind != kTransition && !history.captured;
         if (impact) history.noise = math::never<S>();
+        // A phase too short for instants to show ends when it begins.
+        if (event.kind == kTransition) {
+            history.noise = std::max<S>(
+                history.noise, noise_of(event.before[side], S(0), math::narrow(event.when)));
+        }
         expect(i, event.after[side], result);
         history.now = event.when;
         history.noise = S(0);
@@ -116,8 +121,9 @@ private:
     void expect(BallIndex i, const Memory& state, RunAudit& result) {
         History& history = histories_[i];
         const S jump = math::norm<S>(math::difference<S>(state.position, history.state.position));
-        const S bound = S(math::kPieceJump) * math::epsilon<S>() * history.travelled +
-                        resolution<S>(state.position, history.state.velocity, history.now);
+        const S bound =
+            S(math::kPieceJump) * math::epsilon<S>() * history.travelled +
+            resolution<S>(state.position, math::norm1<S>(history.state.velocity), history.now);
         result.note(result.largest_jump, math::to_double<S>(jump / scene_.bodies[i].radius),
                     jump <= bound);
         if (!(motion_change<S>(state, history.state) <= history.noise)) ++result.unexplained;

@@ -89,12 +89,12 @@ template <math::Scalar S>
 /// What the rounding of wide places and instants leaves unresolved; [from] is what the place is
 /// measured from.
 template <math::Scalar S>
-[[nodiscard]] S resolution(const math::WidePoint<S>& position, const math::Vec<S>& velocity,
+[[nodiscard]] S resolution(const math::WidePoint<S>& position, const S& speed,
                            const math::Instant<S>& when,
                            const math::Vec<S>& from = math::Vec<S>(S(0), S(0))) {
     return S(math::kContactGap) * math::wide_epsilon<S>() *
            (math::norm1<S>(position.rounded()) + math::norm1<S>(from) +
-            math::norm1<S>(velocity) * math::abs<S>(math::narrow(when)));
+            speed * math::abs<S>(math::narrow(when)));
 }
 
 /// Calls f with the obstacle of that kind and index.
