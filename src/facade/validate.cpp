@@ -165,6 +165,33 @@ void require_friction(double value, const char* path) {
     require(value >= 0 && value <= kLargest, path, "must be >= 0 and finite", value);
 }
 
+void validate_drag(const Scene& scene, const ResistedMotion& law) {
+    // Squares of decelerations, and their products with squares of speeds, must stay in range.
+    constexpr double kMost = 1e30;
+    for (std::size_t i = 0; i < scene.balls.size(); ++i) {
+        require_point(scene.balls[i].velocity, kMost, at("balls", i, ".velocity"));
+    }
+    const auto check = [](double value, const std::string& path) {
+        require(value >= 0 && value <= kMost, path, "must be from 0 to 1e30", value);
+    };
+    check(law.constant, "motion.constant");
+    check(law.linear, "motion.linear");
+    check(law.quadratic, "motion.quadratic");
+    if (!law.medium) return;
+    const Medium& medium = *law.medium;
+    check(medium.density, "motion.medium.density");
+    check(medium.viscosity, "motion.medium.viscosity");
+    check(medium.drag_coefficient, "motion.medium.drag_coefficient");
+    for (std::size_t i = 0; i < scene.balls.size(); ++i) {
+        const Ball& ball = scene.balls[i];
+        const double drag = std::max(
+            20 * medium.viscosity * ball.radius / ball.mass,
+            2 * medium.density * medium.drag_coefficient * ball.radius * (ball.radius / ball.mass));
+        require(drag <= kMost, at("balls", i, ".mass"),
+                "must be large enough for a drag of at most 1e30 in the medium", ball.mass);
+    }
+}
+
 /// Friction without cloth is that of discs: nothing is said about their rolling or tumbling.
 void validate_discs(const Scene& scene) {
     const bool rub = scene.impacts.ball_ball.law == BallBallLaw::frictional ||
@@ -189,13 +216,7 @@ void validate_friction(const Scene& scene) {
         require_friction(rolling->friction, "motion.friction");
     }
     if (const auto* resisted = std::get_if<ResistedMotion>(&scene.motion)) {
-        require_friction(resisted->constant, "motion.constant");
-        require_friction(resisted->linear, "motion.linear");
-        require_friction(resisted->quadratic, "motion.quadratic");
-        const Medium medium = resisted->medium.value_or(Medium{});
-        require_friction(medium.density, "motion.medium.density");
-        require_friction(medium.viscosity, "motion.medium.viscosity");
-        require_friction(medium.drag_coefficient, "motion.medium.drag_coefficient");
+        validate_drag(scene, *resisted);
     }
     if (cloth != nullptr) {
         require_friction(cloth->sliding_friction, "motion.sliding_friction");

@@ -126,11 +126,11 @@ TEST(SceneErrors, UnknownLawsAndNames) {
         {with(R"("motion": {"law": "resisted", "liner": 0.2})"),
          "motion.liner: unknown key, did you mean linear?"},
         {with(R"("motion": {"law": "resisted", "linear": -0.2})"),
-         "motion.linear: must be >= 0 and finite, but it is -0.2"},
+         "motion.linear: must be from 0 to 1e30, but it is -0.2"},
         {with(R"("motion": {"law": "resisted", "medium": {"density": "thick"}})"),
          "motion.medium.density: must be a number, but it is \"thick\""},
         {with(R"("motion": {"law": "resisted", "medium": {"drag_coefficient": -1}})"),
-         "motion.medium.drag_coefficient: must be >= 0 and finite, but it is -1"},
+         "motion.medium.drag_coefficient: must be from 0 to 1e30, but it is -1"},
         {with(R"("motion": {"law": "unifrom"})"),
          "motion.law: must be uniform, rolling, cloth or resisted, did you mean uniform?, but it "
          "is \"unifrom\""},

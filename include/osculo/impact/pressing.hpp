@@ -24,10 +24,15 @@
 /// the ball's last impact, if that was within the contact time: hops that follow each other double.
 namespace osculo::impact {
 
-/// How long a ball goes on accelerating as it does [s].
+/// How long a ball goes on accelerating as it does [s]: where that lessens as time goes by, until
+/// the velocity it changes would be gone.
 template <class State>
 [[nodiscard]] auto acceleration_time(const State& state) {
     using S = std::decay_t<decltype(state.remaining)>;
+    if constexpr (requires { state.slowing; }) {
+        const S rate = state.slowing.rate(S(1));
+        return rate > S(0) ? S(S(1) / rate) : math::never<S>();
+    }
     return state.half_acceleration.x() == S(0) && state.half_acceleration.y() == S(0)
                ? math::never<S>()
                : state.remaining;
