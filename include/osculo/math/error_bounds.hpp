@@ -76,10 +76,10 @@ inline constexpr int kFrictionMomentum = 20;
 inline constexpr int kMotionNoise = 8;
 
 /// How far what a certified path says of a place may be off, in units of epsilon times the way gone
-/// since its start, and of a velocity, times that at the start: of the closed forms of motion with
-/// drag 1/2 for each of some ten operations on g, the rest for log(1 + x) and e^-x (motion/
-/// slowing.hpp; tests/motion/slowing_test.cpp). Four times as much for the wider types where k^2 /
-/// 4 and m c are nearly equal.
+/// since its start, and of a velocity, times that at the start. Of the closed forms of motion with
+/// drag (motion/slowing.hpp): 1/2 for each of some ten operations on g, the rest for log(1 + x) and
+/// e^-x; four times as much for the wider types where the roots of the characteristic equation all
+/// but coincide. tests/motion/slowing_test.cpp.
 inline constexpr int kPathNoise = 8;
 
 /// Gap below which a ball belongs to a cluster, in units of epsilon (|place| + |last place| +

@@ -53,6 +53,7 @@ struct Slowing {
     [[nodiscard]] Slowing from(const S& q) const {
         return q > S(0) ? Slowing{m / q, k, c * q} : Slowing{};
     }
+
     /// -q'.
     [[nodiscard]] S rate(const S& q) const { return m + q * (k + q * c); }
 
