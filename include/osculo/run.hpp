@@ -157,7 +157,7 @@ struct FinalBall {
 
 /// An independent check of a run, from its pieces alone. Relative figures unless a unit is given.
 struct Audit {
-    double energy_initial = 0;  ///< [J]
+    double energy_initial = 0;  ///< [J], in a rim that pulls with that of its field, 0 on the rim
     double energy_final = 0;    ///< [J], captured balls included with their energy at capture
     /// Largest gain of energy at one impact, that of spin included, over the energy of its balls
     /// before (<= 0: none gained), beyond what parting of balls pressed together may take.

@@ -191,7 +191,7 @@ private:
     /// Whether a transition is that of a ball out of, or into, a rim that pulled it.
     template <class Record>
     [[nodiscard]] static bool ends_stay(const Record& record) {
-        return record.before[0].stay && !record.after[0].stay && !record.after[0].lost;
+        return record.before[0].stay && (record.after[0].fallen || !record.after[0].stay);
     }
     template <class Record>
     [[nodiscard]] Event end_of_stay(const Record& record, Event event) const {

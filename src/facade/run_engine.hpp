@@ -39,9 +39,7 @@ template <class Type>
         run.pieces.reserve(engine.recorder().pieces.size());
         for (const auto& piece : engine.recorder().pieces)
             run.pieces.push_back(convert.piece(piece));
-        if constexpr (engine::kHasRims<typename Type::Motion>) {
-            // simulate() refuses it
-        } else if (audit) {
+        if (audit) {
             run.audit = convert.audit(
                 engine::audit<Type>(start, engine.recorder(), engine.bodies(), engine.time()));
         }

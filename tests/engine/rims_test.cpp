@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "osculo/engine/audit.hpp"
 #include "osculo/engine/scenes.hpp"
 #include "support/random.hpp"
 #include "support/scalars.hpp"
@@ -201,13 +202,55 @@ TEST(RimScenes, RandomScenesEndAndNothingOverlaps) {
         EXPECT_GE(smallest_gap(engine.recorder(), engine.time().hi), -1e-15) << i;
         for (const auto& body : engine.bodies()) falls += !body.present;
         for (const auto& event : engine.recorder().events) {
-            exits += event.kind == engine::kTransition && event.before[0].stay &&
-                     !event.after[0].stay && !event.after[0].fallen;
+            exits +=
+                event.kind == engine::kTransition && event.before[0].stay && !event.after[0].stay;
         }
         EXPECT_LT(engine.event_count(), 100000U) << i;
+        const auto audit =
+            engine::audit<Type>(data, engine.recorder(), engine.bodies(), engine.time());
+        EXPECT_TRUE(audit.clean) << i << ": gap " << audit.worst_gap << " at "
+                                 << audit.worst_gap_time << ", jump " << audit.largest_jump
+                                 << ", contact " << audit.largest_contact_error << ", unexplained "
+                                 << audit.unexplained << ", gain " << audit.largest_energy_gain
+                                 << ", momentum " << audit.largest_momentum_error;
     }
     EXPECT_GT(falls, 20);
     EXPECT_GT(exits, 20);
+}
+
+/// What the audit says of a run that somebody has tampered with.
+TEST(RimScenes, AnAuditFindsFaults) {
+    auto data = scene(0.01, 0.95);
+    add(data, Vec(-0.06, 0), Vec(0, 0));
+    add(data, Vec(-0.3, 0.02), Vec(1.5, 0));
+    Engine engine(data);
+    engine.run({60, 10000});
+    const auto audit = [&](const Type::Recorder& record) {
+        return engine::audit<Type>(data, record, engine.bodies(), engine.time());
+    };
+    EXPECT_TRUE(audit(engine.recorder()).clean);
+    const auto tampered = [&](auto&& change) {
+        auto record = engine.recorder();
+        for (auto& piece : record.pieces) {
+            if (!piece.state.stay) continue;
+            change(piece.state);
+            break;
+        }
+        return audit(record);
+    };
+    EXPECT_FALSE(tampered([](auto& state) { state.velocity.x() += 1e-12; }).clean);
+    EXPECT_FALSE(tampered([](auto& state) { state.since += 1e-9; }).clean);
+    EXPECT_FALSE(tampered([](auto& state) { state.position.x.hi += 1e-12; }).clean);
+    // A field that is a millionth stronger.
+    EXPECT_FALSE(tampered([](auto& state) {
+                     state.stay = std::make_shared<const motion::RimPaperMotion<double>>(
+                         state.stay->rim(), kGravity * (1 + 1e-6), kRadius, state.position,
+                         state.velocity);
+                 }).clean);
+    // Balls that have been larger all the time overlap where they met.
+    for (auto& body : data.bodies) body.radius *= 1 + 1e-9;
+    EXPECT_FALSE(audit(engine.recorder()).clean);
+    EXPECT_LT(audit(engine.recorder()).worst_gap, -1e-9);
 }
 
 /// The separatrix: with no digit to tell, the run ends with a status.

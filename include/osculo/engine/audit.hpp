@@ -71,10 +71,17 @@ template <class Type>
     histories.finish(bodies, end, result);
     detail::GapAudit<Type>(scene, path, result).check(record.pieces);
 
-    const auto energy = [](const std::vector<Body<Type>>& of) {
+    const auto energy = [&](const std::vector<Body<Type>>& of) {
         S sum{0};
         for (const Body<Type>& body : of) {
-            sum = sum + body.mass * twice_energy_per_mass<S>(body.state) / S(2);
+            auto state = body.state;
+            if constexpr (kHasRims<typename Type::Motion>) {
+                // One that is not yet known to be in a rim.
+                if (state.rim == Type::Motion::kUnknown) {
+                    Type::Motion::template begin<S>(scene.motion, state);
+                }
+            }
+            sum = sum + body.mass * twice_energy_per_mass<S>(state) / S(2);
         }
         return math::to_double<S>(sum);
     };

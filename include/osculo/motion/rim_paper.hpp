@@ -77,6 +77,7 @@ public:
     /// At least the speed, and at least half the acceleration.
     [[nodiscard]] const S& most_speed() const { return most_speed_; }
     [[nodiscard]] const geometry::Rim<S>& rim() const { return start_.rim; }
+    [[nodiscard]] const S& gravity() const { return start_.gravity; }
 
 private:
     /// What is known before anything is integrated.

@@ -74,7 +74,6 @@ struct WithRims {
         state.lost = !state.stay->sound() || outcome == RimOutcome::balanced;
         state.fallen = !state.lost && outcome == RimOutcome::capture;
         if (state.lost || state.fallen) {
-            state.stay = nullptr;
             state.half_acceleration = {S(0), S(0)};
             state.remaining = math::never<S>();
             return;

@@ -4,8 +4,8 @@
 #include <span>
 #include <vector>
 
-#include "osculo/engine/audit/motion_laws.hpp"
 #include "osculo/engine/audit/result.hpp"
+#include "osculo/engine/audit/rims.hpp"
 
 namespace osculo::engine::detail {
 
@@ -180,7 +180,11 @@ private:
         }
         noise = noise * S(math::kVelocityNoise) * math::epsilon<S>() * math::norm1<S>(normal);
         if (closing(event.before) < -noise) ++result.unexplained;
-        if (!event_captures<Type>(event.kind) && closing(event.after) > noise) ++result.unexplained;
+        if (has_effect<Type>(event.kind, Effect::capture) ||
+            has_effect<Type>(event.kind, Effect::entry)) {
+            return;
+        }
+        if (closing(event.after) > noise) ++result.unexplained;
     }
 
     /// Spin times radius [m/s].
