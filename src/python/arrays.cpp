@@ -81,6 +81,7 @@ py::dtype piece_dtype() {
         .add<double>("spin", offsetof(Piece, spin), 3)
         .add<double>("spin_rate", offsetof(Piece, spin_rate), 3)
         .add<double>("resistance", offsetof(Piece, resistance), 3)
+        .add<std::uint32_t>("rim", offsetof(Piece, rim))
         .add<int>("phase", offsetof(Piece, phase))
         .of_size(sizeof(Piece));
 }

@@ -43,7 +43,9 @@ def test_a_head_on_impact_in_closed_form():
     assert run.balls["state"]["position"].tolist() == [[2, 0], [6, 0]]
 
 
-def test_arrays_say_what_the_file_says(run):
+@pytest.mark.parametrize("name", list(osculo.presets()))
+def test_arrays_say_what_the_file_says(name):
+    run = osculo.simulate(osculo.preset(name).replace(limits={"time": 5, "events": 300}))
     document = run.to_dict()
     kinds = list(osculo.EVENT_KINDS)
     phases = list(osculo.PHASES)
@@ -69,12 +71,15 @@ def test_arrays_say_what_the_file_says(run):
     for piece, written in zip(run.pieces, document["pieces"]):
         assert run.scene.ids[piece["ball"]] == written["ball"]
         assert phases[piece["phase"]] == written["law"]
-        for name in ("from", "to"):
-            assert piece[name] == written[name]
-            assert piece[name + "_low"] == written.get(name + "_low", 0)
-        for name in ("position", "velocity", "position_low", "acceleration", "spin", "spin_rate"):
-            count = 3 if name.startswith("spin") else 2
-            assert piece[name].tolist() == written.get(name, [0] * count)
+        if "rim" in written:
+            assert run.scene.rim_ids[piece["rim"]] == written["rim"]
+        for end in ("from", "to"):
+            assert piece[end] == written[end]
+            assert piece[end + "_low"] == written.get(end + "_low", 0)
+        for vector in ("position", "velocity", "position_low", "acceleration"):
+            assert piece[vector].tolist() == written.get(vector, [0, 0])
+        for vector in ("spin", "spin_rate", "resistance"):
+            assert piece[vector].tolist() == written.get(vector, [0, 0, 0])
     for ball, written in zip(run.balls, document["balls"]):
         assert list(osculo.FATES)[ball["fate"]] == written["state"]
         assert ball["state"]["position"].tolist() == written["position"]
@@ -96,6 +101,22 @@ def test_drag_in_closed_form():
     np.testing.assert_allclose(
         run.at(times)["position"][:, 0, 0], 4 * (1 - np.exp(-times / 2)), rtol=1e-14
     )
+
+
+def test_a_hole_that_pulls():
+    scene = osculo.Scene(
+        balls=[{"id": "a", "mass": 1, "radius": 0.02, "position": [0, 0.03], "velocity": [2, 0]}],
+        rims=[{"id": "hole", "center": [1, 0], "radius": 0.1, "law": "paper"}],
+        limits={"time": 3},
+    )
+    run = osculo.simulate(scene)
+    kinds = [list(osculo.EVENT_KINDS)[kind] for kind in run.events["kind"]]
+    assert kinds[0] == "rim_entry"
+    inside = run.pieces[run.pieces["phase"] == osculo.PHASES["rim"]]
+    assert len(inside) > 0 and (inside["rim"] == 0).all()
+    middle = (inside[0]["from"] + inside[0]["to"]) / 2
+    place = run.at(middle)["position"][0]
+    assert np.hypot(*(place - [1, 0])) < 0.1
 
 
 def test_contacts_at_one_instant_are_a_cluster():
