@@ -3,7 +3,7 @@
 #
 #     bench/run.sh [BUILD_DIRECTORY]      default: build/bench; CXX and CXXFLAGS as for CMake
 #
-# Takes about twenty minutes. The accuracy programs fail if a target is missed.
+# Takes about twenty-five minutes. The accuracy programs fail if a target is missed.
 set -euo pipefail
 here="$(cd "$(dirname "$0")" && pwd)"
 build="${1:-$here/../build/bench}"
@@ -25,6 +25,7 @@ programs="$build/bench"
 
 "$programs/bench_sizes" | tee "$results/sizes.txt"
 "$programs/bench_shots" | tee "$results/shots.txt"
+"$programs/bench_batch" | tee "$results/batch.txt"
 "$programs/bench_micro" --benchmark_min_time=0.1 --benchmark_repetitions=5 \
     --benchmark_enable_random_interleaving=true --benchmark_report_aggregates_only=true \
     --benchmark_out="$build/micro.json" --benchmark_out_format=json >/dev/null

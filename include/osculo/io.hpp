@@ -52,6 +52,10 @@ struct SvgOptions {
     bool numbers = true;  ///< number the contact points in order of time
 };
 
+/// A run as one HTML page that needs nothing else: the table, every ball where it exactly is at any
+/// time, play, pause, event by event. Plays what its pieces show; a ball without any stands.
+[[nodiscard]] std::string to_html(const Run& run, double width = 1200);
+
 /// A picture of the table and its balls before the start.
 [[nodiscard]] std::string to_svg(const Scene& scene, const SvgOptions& options = {});
 

@@ -25,12 +25,13 @@ using Spin = std::array<double, 3>;
 /// A circular body.
 struct Ball {
     std::string id;
-    double mass = 1;       ///< [kg], > 0
-    double radius = 1;     ///< [m], > 0
-    Point position;        ///< of the centre [m]
-    Point velocity;        ///< [m/s]
-    Spin spin{};           ///< [rad/s]; carried along unchanged by laws that do not use it
-    double inertia = 0.4;  ///< k = I / (m r^2), in (0, 1]: 2/5 for a solid sphere; used with cloth
+    double mass = 1;    ///< [kg], > 0
+    double radius = 1;  ///< [m], > 0
+    Point position;     ///< of the centre [m]
+    Point velocity;     ///< [m/s]
+    Spin spin{};        ///< [rad/s]; carried along unchanged by laws that do not use it
+    double inertia =
+        0.4;  ///< k = I / (m r^2), in (0, 1]: 2/5 for a solid sphere; used with friction
     friend bool operator==(const Ball&, const Ball&) = default;
 };
 
@@ -61,14 +62,24 @@ struct Arc {
 /// What happens to a ball whose centre crosses a rim.
 enum class RimLaw {
     capture,  ///< it is gone
+    paper,    ///< it is pulled towards the centre, and falls or leaves; not on a cloth
 };
+
+/// The law as it is written in files: "capture", "paper".
+[[nodiscard]] constexpr std::string_view to_string(RimLaw law) {
+    switch (law) {
+        case RimLaw::capture: return "capture";
+        case RimLaw::paper: return "paper";
+    }
+    return "capture";
+}
 
 /// The edge of a hole.
 struct Rim {
     std::string id;
     Point center;
-    double radius = 1;  ///< [m], > 0
-    RimLaw law = RimLaw::capture;
+    double radius = 1;             ///< [m], > 0
+    RimLaw law = RimLaw::capture;  ///< rims with the law paper do not overlap each other
     friend bool operator==(const Rim&, const Rim&) = default;
 };
 
@@ -84,6 +95,28 @@ struct RollingMotion {
     friend bool operator==(const RollingMotion&, const RollingMotion&) = default;
 };
 
+/// What balls move through: it slows each of them by its own mass and radius.
+struct Medium {
+    double density = 0;           ///< [kg/m^3], >= 0; air: 1.2
+    double viscosity = 0;         ///< [Pa s], >= 0; air: 1.8e-5
+    double drag_coefficient = 0;  ///< >= 0; a sphere in the turbulent range: 0.47
+    /// Balls roll: what slows them has to slow their rotation too, so that of the force 1 / (1 + k)
+    /// is left, 5/7 for a solid sphere.
+    bool rolling = false;
+    friend bool operator==(const Medium&, const Medium&) = default;
+};
+
+/// Slowing down along a straight line at constant + linear v + quadratic v^2, each >= 0, without
+/// regard to spin. A medium adds to linear 6 pi viscosity radius / mass (Stokes) and to quadratic
+/// density drag_coefficient pi radius^2 / (2 mass).
+struct ResistedMotion {
+    double constant = 0;   ///< [m/s^2]
+    double linear = 0;     ///< [1/s]
+    double quadratic = 0;  ///< [1/m]
+    std::optional<Medium> medium;
+    friend bool operator==(const ResistedMotion&, const ResistedMotion&) = default;
+};
+
 /// A ball on a cloth: sliding, rolling, spinning, rest. Frictions >= 0, each may be 0.
 struct ClothMotion {
     double sliding_friction = 0.2;
@@ -93,11 +126,13 @@ struct ClothMotion {
 };
 
 /// How balls move while nothing touches them.
-using MotionLaw = std::variant<UniformMotion, RollingMotion, ClothMotion>;
+using MotionLaw = std::variant<UniformMotion, RollingMotion, ClothMotion, ResistedMotion>;
 
 enum class BallBallLaw {
     restitution,  ///< frictionless: the normal relative velocity is reversed, times restitution
-    frictional,   ///< the same with Coulomb friction between the balls; needs cloth
+    /// The same with Coulomb friction between the balls: in space on cloth; without, of discs, for
+    /// which only spins about the vertical count.
+    frictional,
 };
 
 /// What happens when two balls meet.
@@ -111,6 +146,7 @@ struct BallBallImpact {
 
 enum class CushionLaw {
     restitution,    ///< frictionless
+    frictional,     ///< restitution and friction on an upright face, of discs; not with cloth
     han_2005,       ///< restitution and friction at a nose above the ball's middle; needs cloth
     mathavan_2010,  ///< a nose that presses the ball into the cloth, which rubs too; needs cloth
     stronge,        ///< compliant along the cushion, so that spin can be reversed; needs cloth
@@ -120,6 +156,7 @@ enum class CushionLaw {
 [[nodiscard]] constexpr std::string_view to_string(CushionLaw law) {
     switch (law) {
         case CushionLaw::restitution: return "restitution";
+        case CushionLaw::frictional: return "frictional";
         case CushionLaw::han_2005: return "han_2005";
         case CushionLaw::mathavan_2010: return "mathavan_2010";
         case CushionLaw::stronge: return "stronge";
@@ -132,7 +169,7 @@ struct CushionImpact {
     CushionLaw law = CushionLaw::restitution;
     double restitution = 1;  ///< in [0, 1]
     double friction = 0;     ///< >= 0; not for `restitution`
-    double height = 0;       ///< of the nose above the table [m], > 0; not for `restitution`
+    double height = 0;       ///< of the nose above the table [m], > 0; for the laws that need cloth
     /// Of ball and cloth during the impact, >= 0; for `mathavan_2010`. Left out: the cloth's own
     /// sliding friction.
     std::optional<double> cloth_friction{};
@@ -143,6 +180,7 @@ struct CushionImpact {
 
 /// How contacts at one instant that share a ball are resolved.
 enum class Simultaneous {
+    symmetric,   ///< all at once, whatever their order (osculo/impact/symmetric.hpp)
     sequential,  ///< pair by pair, in the total order of events, until no touching pair approaches
 };
 
@@ -152,7 +190,12 @@ struct Impacts {
     /// Things that are pressed together meet at most once in this time [s], >= 0; not for uniform
     /// motion (osculo/impact/pressing.hpp says why).
     double contact_time = 1e-4;
-    Simultaneous simultaneous = Simultaneous::sequential;
+    Simultaneous simultaneous = Simultaneous::symmetric;
+    /// Contacts that close more slowly than this do not bounce unless they are elastic [m/s], >= 0;
+    /// under the symmetric law only. If left out, kRestShare of the fastest ball's speed at the
+    /// start, after the strike.
+    std::optional<double> rest_speed;
+    static constexpr double kRestShare = 1e-6;
     friend bool operator==(const Impacts&, const Impacts&) = default;
 };
 
@@ -181,7 +224,7 @@ struct Cue {
 /// Everything that exists. SI units, radians.
 struct Scene {
     MotionLaw motion;
-    double gravity = 9.81;  ///< [m/s^2], >= 0; not for uniform motion
+    double gravity = 9.81;  ///< [m/s^2], >= 0; for friction and rims
     std::vector<Ball> balls;
     std::vector<Segment> segments;
     std::vector<Arc> arcs;

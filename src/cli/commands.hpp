@@ -11,7 +11,9 @@ namespace osculo::cli {
 
 void add_run(CLI::App& app, ExitCode& exit_code);
 void add_render(CLI::App& app);
+void add_replay(CLI::App& app);
 void add_check(CLI::App& app);  ///< validate, explain, expand
 void add_presets(CLI::App& app);
+void add_batch(CLI::App& app, ExitCode& exit_code);  ///< batch, merge
 
 }  // namespace osculo::cli

@@ -54,8 +54,10 @@ int main_with(int argc, char** argv) {
     ExitCode exit_code = kFinished;
     add_run(app, exit_code);
     add_render(app);
+    add_replay(app);
     add_check(app);
     add_presets(app);
+    add_batch(app, exit_code);
 
     try {
         app.parse(argc, argv);

@@ -5,6 +5,9 @@
 
 namespace osculo::facade {
 
+/// Largest azimuth of a cue, in size [rad]: sin_cos() takes no more.
+inline constexpr double kLargestAzimuth = 1e12;
+
 /// The strike as the impact law takes it.
 template <math::Scalar S>
 [[nodiscard]] impact::CueStrike<S> compile_cue(const Cue& cue) {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <iterator>
 #include <numbers>
 #include <numeric>
 #include <string>
@@ -27,8 +28,9 @@ struct CompiledScene {
     std::vector<std::uint32_t> balls;  ///< engine's number -> index in the scene
     std::vector<std::uint32_t> segments;
     std::vector<std::uint32_t> arcs;
-    std::vector<std::uint32_t> rims;
-    std::vector<std::string> points;  ///< names of the end points, by the engine's number
+    std::vector<std::uint32_t> rims;          ///< that capture
+    std::vector<std::uint32_t> pulling_rims;  ///< with the law paper
+    std::vector<std::string> points;          ///< names of the end points, by the engine's number
 };
 
 /// The indices of things, sorted by id.
@@ -97,6 +99,27 @@ public:
     std::vector<std::string> names_;
 };
 
+/// How a ball slows down: what its motion law says and what a medium does to it.
+template <math::Scalar S>
+[[nodiscard]] motion::Resistance<S> compile_resistance(const Scene& scene, const Ball& ball) {
+    if (const auto* rolling = std::get_if<RollingMotion>(&scene.motion)) {
+        return {S(rolling->friction) * S(scene.gravity), S(0), S(0)};
+    }
+    if (!std::holds_alternative<ResistedMotion>(scene.motion)) return {};
+    const auto& law = std::get<ResistedMotion>(scene.motion);
+    motion::Resistance<S> result{S(law.constant), S(law.linear), S(law.quadratic)};
+    if (law.medium) {
+        const S mass(ball.mass);
+        const S radius(ball.radius);
+        const S pi = S(2) * math::quarter_turn<S>();
+        const S share = law.medium->rolling ? S(S(1) / (S(1) + S(ball.inertia))) : S(1);
+        result.linear += share * (S(6) * pi * S(law.medium->viscosity) * radius / mass);
+        result.quadratic += share * (S(law.medium->density) * S(law.medium->drag_coefficient) * pi *
+                                     radius * radius / (S(2) * mass));
+    }
+    return result;
+}
+
 /// The ball at the start, struck if the scene's cue strikes it.
 template <class Type>
 [[nodiscard]] engine::Body<Type> compile_ball(const Scene& scene, const Ball& ball) {
@@ -106,6 +129,10 @@ template <class Type>
     body.state.velocity = vec<S>(ball.velocity);
     body.mass = S(ball.mass);
     body.radius = S(ball.radius);
+    if constexpr (std::is_base_of_v<motion::Resisted, typename Type::Motion>) {
+        body.state.law = compile_resistance<S>(scene, ball);
+    }
+    if constexpr (engine::kHasRims<typename Type::Motion>) body.state.ball_radius = S(ball.radius);
     if constexpr (Type::Motion::kSpin) {
         body.state.spin = {S(ball.spin[0]), S(ball.spin[1]), S(ball.spin[2])};
         body.state.radius = S(ball.radius);
@@ -130,6 +157,12 @@ void compile_laws(const Scene& scene, engine::SceneData<Type>& data) {
     if constexpr (std::is_same_v<typename Type::Motion, motion::Rolling>) {
         data.motion.deceleration = S(std::get<RollingMotion>(scene.motion).friction) * g;
     }
+    if constexpr (engine::kHasRims<typename Type::Motion>) {
+        if (const auto* rolling = std::get_if<RollingMotion>(&scene.motion)) {
+            data.motion.deceleration = S(rolling->friction) * g;
+        }
+        data.motion.gravity = g;
+    }
     if constexpr (std::is_same_v<typename Type::Motion, motion::Cloth>) {
         const auto& cloth = std::get<ClothMotion>(scene.motion);
         data.motion = {S(cloth.sliding_friction) * g, S(cloth.rolling_friction) * g,
@@ -140,7 +173,41 @@ void compile_laws(const Scene& scene, engine::SceneData<Type>& data) {
         data.friction.ball_cushion =
             compile_cushion<decltype(data.friction.ball_cushion)>(cushion, cloth);
     }
+    if constexpr (std::is_same_v<typename Type::Motion, motion::Disc>) {
+        const bool frictional = cushion.law == CushionLaw::frictional;
+        data.friction.ball_ball = {
+            S(balls.restitution),
+            {S(balls.friction[0]), S(balls.friction[1]), S(balls.friction[2])}};
+        data.friction.ball_cushion = {S(cushion.restitution),
+                                      frictional ? S(cushion.friction) : S(0)};
+    }
+    if constexpr (std::is_base_of_v<motion::Resisted, typename Type::Motion>) {
+        // As fast as a ball is that has all the energy there is.
+        S energy(0);
+        for (const auto& body : data.bodies) {
+            energy += body.mass * math::dot<S>(body.state.velocity, body.state.velocity) / S(2);
+        }
+        for (const auto& body : data.bodies) {
+            const S speed = math::square_root<S>(S(2) * energy / body.mass);
+            const auto& [constant, linear, quadratic] = body.state.law;
+            data.motion.largest =
+                std::max<S>(data.motion.largest, constant + speed * (linear + speed * quadratic));
+        }
+    }
     if constexpr (Type::Motion::kTransitions) data.contact_time = S(scene.impacts.contact_time);
+}
+
+/// As the scene says, or else by how fast its balls are at the start [m/s].
+template <class Type>
+[[nodiscard]] typename Type::Scalar rest_speed(const Scene& scene,
+                                               const std::vector<engine::Body<Type>>& bodies) {
+    using S = typename Type::Scalar;
+    if (scene.impacts.rest_speed) return S(*scene.impacts.rest_speed);
+    S fastest(0);
+    for (const auto& body : bodies) {
+        fastest = std::max<S>(fastest, math::norm<S>(body.state.velocity));
+    }
+    return S(Impacts::kRestShare) * fastest;
 }
 
 template <class Type>
@@ -152,6 +219,9 @@ template <class Type>
         result.data.bodies.push_back(compile_ball<Type>(scene, scene.balls[i]));
     }
     compile_laws(scene, result.data);
+    if constexpr (Type::Simultaneous::kGathersCluster) {
+        result.data.rest_speed = rest_speed<Type>(scene, result.data.bodies);
+    }
 
     using List = typename Type::ObstacleList;
     constexpr bool kWalls = List::template kContains<S, geometry::Segment<S>>;
@@ -176,10 +246,22 @@ template <class Type>
             points.add(arcs.back().start_point(), scene.arcs[k].id + ".from");
             points.add(arcs.back().end_point(), scene.arcs[k].id + ".to");
         }
+        const auto is_paper = [&](std::uint32_t k) { return scene.rims[k].law == RimLaw::paper; };
         result.rims = order_by_id(scene.rims);
+        std::copy_if(result.rims.begin(), result.rims.end(),
+                     std::back_inserter(result.pulling_rims), is_paper);
+        std::erase_if(result.rims, is_paper);
+        const auto rim = [&](std::uint32_t k) {
+            return geometry::Rim<S>{vec<S>(scene.rims[k].center), S(scene.rims[k].radius)};
+        };
         auto& rims = std::get<std::vector<geometry::Rim<S>>>(result.data.obstacles);
-        for (const std::uint32_t k : result.rims) {
-            rims.push_back({vec<S>(scene.rims[k].center), S(scene.rims[k].radius)});
+        for (const std::uint32_t k : result.rims) rims.push_back(rim(k));
+        if constexpr (engine::kHasRims<typename Type::Motion>) {
+            for (const std::uint32_t k : result.pulling_rims) {
+                result.data.motion.rims.push_back({rim(k)});
+            }
+            std::get<std::vector<geometry::PullingRim<S>>>(result.data.obstacles) =
+                result.data.motion.rims;
         }
     }
     if constexpr (kWalls) {

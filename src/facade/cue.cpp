@@ -11,6 +11,8 @@
 namespace osculo::facade {
 namespace {
 
+constexpr double kFastestCue = 1e150;
+
 /// Throws if the stick would have to pass through something.
 void validate_stick(const Scene& scene) {
     const Cue& cue = *scene.cue;
@@ -50,8 +52,9 @@ void validate_cue(const Scene& scene) {
     const auto require = [](bool holds, const char* path, const char* rule, double value) {
         if (!holds) throw SceneError(path, rule, number_text(value));
     };
-    require(std::isfinite(cue.azimuth), "cue.azimuth", "must be finite", cue.azimuth);
-    require(cue.speed <= 1e150, "cue.speed", "must be at most 1e150", cue.speed);
+    require(std::abs(cue.azimuth) <= kLargestAzimuth, "cue.azimuth",
+            "must be from -1e12 to 1e12 rad", cue.azimuth);
+    require(cue.speed <= kFastestCue, "cue.speed", "must be at most 1e150", cue.speed);
     require(cue.mass > 0 && cue.mass <= 1e100, "cue.mass", "must be > 0 and finite", cue.mass);
     require(cue.end_mass >= 0 && cue.end_mass <= 1e100, "cue.end_mass", "must be >= 0 and finite",
             cue.end_mass);
@@ -77,6 +80,18 @@ void validate_cue(const Scene& scene) {
             break;
     }
     validate_stick(scene);
+}
+
+bool is_possible_but_for_stick(const Scene& scene) {
+    const Cue& cue = *scene.cue;
+    return compile_cue<double>(cue).fault() == impact::StrikeFault::none &&
+           cue.speed <= kFastestCue && std::abs(cue.azimuth) <= kLargestAzimuth;
+}
+
+bool is_possible_strike(const Scene& scene) {
+    const Cue& cue = *scene.cue;
+    return is_possible_but_for_stick(scene) &&
+           (cue.allow_obstructed || !is_obstructed(scene, cue.elevation));
 }
 
 }  // namespace osculo::facade

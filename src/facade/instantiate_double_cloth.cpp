@@ -6,6 +6,7 @@ std::span<const ReadyEngine> double_cloth_engines() {
     using namespace engine;
     static const std::array kEngines{
         ready_engine<ClothScene<double, impact::CushionSimple, NoRecorder>>(),
+        ready_engine<ClothScene<double, impact::CushionSimple, ContactRecorder>>(),
         ready_engine<ClothScene<double, impact::CushionSimple, ClothEvents>>(),
         ready_engine<ClothScene<double, impact::CushionSimple, ClothPieces>>(),
     };

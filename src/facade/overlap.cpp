@@ -79,4 +79,24 @@ std::optional<Overlap> find_overlap(const std::vector<Ball>& balls, double allow
     return std::nullopt;
 }
 
+bool has_overlap(const std::vector<Ball>& balls, std::span<const std::uint8_t> present,
+                 double allowed) {
+    constexpr std::size_t kFew = 100;  // for which looking at every pair is cheap
+    if (present.empty() && balls.size() > kFew) return find_overlap(balls, allowed).has_value();
+    const auto is_there = [&](std::size_t i) { return present.empty() || present[i] != 0; };
+    for (std::size_t i = 0; i < balls.size(); ++i) {
+        if (!is_there(i)) continue;
+        for (std::size_t j = 0; j < i; ++j) {
+            const double reach = balls[i].radius + balls[j].radius;
+            if (std::abs(balls[i].position.x - balls[j].position.x) >= reach ||
+                std::abs(balls[i].position.y - balls[j].position.y) >= reach || !is_there(j)) {
+                continue;
+            }
+            const double depth = overlap_depth(balls[i], balls[j]);
+            if (depth > allowed * std::min(balls[i].radius, balls[j].radius)) return true;
+        }
+    }
+    return false;
+}
+
 }  // namespace osculo::facade

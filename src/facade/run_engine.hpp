@@ -1,11 +1,13 @@
 #pragma once
 
+#include <memory>
 #include <string>
 #include <type_traits>
 #include <utility>
 
 #include "compile_scene.hpp"
 #include "convert.hpp"
+#include "engine_player.hpp"
 #include "osculo/engine/scenes.hpp"
 #include "ready_engine.hpp"
 #include "text.hpp"
@@ -25,6 +27,7 @@ template <class Type>
     run.status = engine.run({S(scene.limits.time), scene.limits.events});
     run.time = math::to_double<S>(math::narrow(engine.time()));
     run.event_count = engine.event_count();
+    run.settled_count = engine.settled_count();
     const Converter<Type> convert{scene, compiled};
     run.balls = convert.balls(engine.bodies());
     if constexpr (Type::Recorder::kEvents) {
@@ -36,7 +39,9 @@ template <class Type>
         run.pieces.reserve(engine.recorder().pieces.size());
         for (const auto& piece : engine.recorder().pieces)
             run.pieces.push_back(convert.piece(piece));
-        if (audit) {
+        if constexpr (engine::kHasRims<typename Type::Motion>) {
+            // simulate() refuses it
+        } else if (audit) {
             run.audit = convert.audit(
                 engine::audit<Type>(start, engine.recorder(), engine.bodies(), engine.time()));
         }
@@ -45,11 +50,12 @@ template <class Type>
     return run;
 }
 
-/// "uniform/restitution/segments+points/double/pieces/all-pairs".
+/// "uniform/restitution/symmetric/rims+segments+arcs+points/double/pieces/all-pairs".
 template <class Type>
 [[nodiscard]] std::string engine_name(const char* obstacles, const char* scalar) {
-    return concatenated(Type::Motion::kName, "/", Type::Impact::kName, "/", obstacles, "/", scalar,
-                        "/", Type::Recorder::kName, "/", Type::BroadPhase::kName);
+    return concatenated(Type::Motion::kName, "/", Type::Impact::kName, "/",
+                        Type::Simultaneous::kName, "/", obstacles, "/", scalar, "/",
+                        Type::Recorder::kName, "/", Type::BroadPhase::kName);
 }
 
 /// The scalar types by their names on the command line.
@@ -99,6 +105,12 @@ struct ObstacleName<engine::Table> {
     static constexpr const char* kName = "rims+segments+arcs+points";
 };
 
+template <>
+struct ObstacleName<engine::PullingTable> {
+    static constexpr bool kSegments = true, kArcsAndRims = true;
+    static constexpr const char* kName = "rims+segments+arcs+points";
+};
+
 /// The scene's cushion law that an engine has; laws without spin have restitution only.
 template <class Laws>
 inline constexpr CushionLaw kCushionLaw = CushionLaw::restitution;
@@ -106,24 +118,41 @@ template <>
 inline constexpr CushionLaw kCushionLaw<engine::WithFriction<impact::CushionHan2005>> =
     CushionLaw::han_2005;
 
+/// Of a law that serves one kind of motion.
+template <class Law>
+inline constexpr MotionKind kMotionKind = MotionKind::uniform;
+template <>
+inline constexpr MotionKind kMotionKind<motion::Rolling> = MotionKind::rolling;
+template <>
+inline constexpr MotionKind kMotionKind<motion::Resisted> = MotionKind::resisted;
+template <>
+inline constexpr MotionKind kMotionKind<motion::Disc> = MotionKind::resisted;
+template <>
+inline constexpr MotionKind kMotionKind<motion::Cloth> = MotionKind::cloth;
+
 template <class Type>
 [[nodiscard]] ReadyEngine ready_engine() {
     using S = typename Type::Scalar;
     using Name = ObstacleName<typename Type::ObstacleList>;
     ReadyEngine engine;
     engine.precision = PrecisionOf<S>::kPrecision;
-    engine.motion = std::is_same_v<typename Type::Motion, motion::Cloth>     ? MotionKind::cloth
-                    : std::is_same_v<typename Type::Motion, motion::Rolling> ? MotionKind::rolling
-                                                                             : MotionKind::uniform;
+    engine.motion = kMotionKind<typename Type::Motion>;
+    engine.discs = std::is_same_v<typename Type::Motion, motion::Disc>;
     engine.cushion = kCushionLaw<typename Type::Impact>;
+    engine.simultaneous =
+        Type::Simultaneous::kGathersCluster ? Simultaneous::symmetric : Simultaneous::sequential;
     engine.segments = Name::kSegments;
     engine.arcs_and_rims = Name::kArcsAndRims;
-    engine.record = Type::Recorder::kPieces   ? Record::pieces
-                    : Type::Recorder::kEvents ? Record::events
-                                              : Record::none;
+    engine.pulling_rims = engine::kHasRims<typename Type::Motion>;
+    engine.record = Type::Recorder::kPieces                           ? Record::pieces
+                    : Type::Recorder::kEvents && !kContactsOnly<Type> ? Record::events
+                                                                      : Record::none;
     engine.cell_grid = Type::BroadPhase::kCrossings;
     engine.name = [] { return engine_name<Type>(Name::kName, PrecisionOf<S>::kName); };
-    engine.run = &run_engine<Type>;
+    engine.run = nullptr;
+    engine.make_player = nullptr;
+    if constexpr (!kContactsOnly<Type>) engine.run = &run_engine<Type>;
+    if constexpr (Type::Recorder::kEvents) engine.make_player = &make_engine_player<Type>;
     return engine;
 }
 

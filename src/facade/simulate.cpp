@@ -34,6 +34,14 @@ std::optional<Precision> precision_from_string(std::string_view name) {
 
 Run simulate(const Scene& scene, const Options& options) {
     validate(scene);
+    if (options.audit) {
+        for (std::size_t k = 0; k < scene.rims.size(); ++k) {
+            if (scene.rims[k].law == RimLaw::capture) continue;
+            throw SceneError("rims[" + std::to_string(k) + "].law",
+                             "must be capture for an audit, which cannot follow other laws yet",
+                             std::string(to_string(scene.rims[k].law)));
+        }
+    }
     Options kept = options;
     if (options.certify && options.record == Record::none) kept.record = Record::events;
     Run run = facade::narrowest_engine(scene, kept).run(scene, options.audit);

@@ -97,38 +97,97 @@ private:
 };
 
 const Ball* struck_ball(const Scene& scene) {
-    if (!scene.cue || compile_cue<double>(*scene.cue).fault() != impact::StrikeFault::none) {
+    if (!scene.cue || !(std::abs(scene.cue->azimuth) <= kLargestAzimuth) ||
+        compile_cue<double>(*scene.cue).fault() != impact::StrikeFault::none) {
         return nullptr;
     }
     const auto ball = std::ranges::find(scene.balls, scene.cue->ball, &Ball::id);
     return ball == scene.balls.end() ? nullptr : &*ball;
 }
 
-// The first thing that is hit.
-template <class Thing, class Hits>
-std::optional<std::string> find_hit(const std::vector<Thing>& things, const char* list, Hits hits) {
-    const auto hit = std::ranges::find_if(things, hits);
-    if (hit == things.end()) return std::nullopt;
-    return concatenated(list, "[", std::to_string(hit - things.begin()), "] (\"", hit->id, "\")");
-}
+/// Something in the way of the stick: where it is in which list of the scene.
+struct Obstruction {
+    enum class List { balls, segments, arcs } list;
+    std::size_t index;
+};
+
+/// What a stick of the scene's cue could meet.
+class Surroundings {
+public:
+    Surroundings(const Scene& scene, const Ball& struck)
+        : scene_(scene),
+          struck_(struck),
+          nose_(scene.impacts.ball_cushion.law != CushionLaw::restitution
+                    ? scene.impacts.ball_cushion.height
+                    : 1.28 * struck.radius) {}
+
+    [[nodiscard]] Stick stick(double elevation) const {
+        return Stick(*scene_.cue, struck_, elevation);
+    }
+
+    [[nodiscard]] bool is_hit(const Stick& stick, const Obstruction& by) const {
+        switch (by.list) {
+            case Obstruction::List::balls: {
+                const Ball& other = scene_.balls[by.index];
+                return &other != &struck_ && stick.hits(other);
+            }
+            case Obstruction::List::segments: return stick.hits(scene_.segments[by.index], nose_);
+            case Obstruction::List::arcs: return stick.hits(scene_.arcs[by.index], nose_);
+        }
+        return false;
+    }
+
+    /// The first thing that is hit.
+    [[nodiscard]] std::optional<Obstruction> find_hit(const Stick& stick) const {
+        const auto find_in = [&](Obstruction::List list,
+                                 std::size_t size) -> std::optional<Obstruction> {
+            for (std::size_t k = 0; k < size; ++k) {
+                if (is_hit(stick, {list, k})) return Obstruction{list, k};
+            }
+            return std::nullopt;
+        };
+        auto hit = find_in(Obstruction::List::balls, scene_.balls.size());
+        if (!hit) hit = find_in(Obstruction::List::segments, scene_.segments.size());
+        if (!hit) hit = find_in(Obstruction::List::arcs, scene_.arcs.size());
+        return hit;
+    }
+
+    /// segments[2] ("top")
+    [[nodiscard]] std::string name(const Obstruction& hit) const {
+        const auto name_in = [&](const char* list, const auto& things) {
+            return concatenated(list, "[", std::to_string(hit.index), "] (\"", things[hit.index].id,
+                                "\")");
+        };
+        switch (hit.list) {
+            case Obstruction::List::balls: return name_in("balls", scene_.balls);
+            case Obstruction::List::segments: return name_in("segments", scene_.segments);
+            case Obstruction::List::arcs: return name_in("arcs", scene_.arcs);
+        }
+        return {};
+    }
+
+private:
+    const Scene& scene_;
+    const Ball& struck_;
+    double nose_;
+};
 
 }  // namespace
 
 std::optional<std::string> find_obstruction(const Scene& scene, double elevation) {
     const Ball* const ball = struck_ball(scene);
     if (ball == nullptr) return std::nullopt;
-    const Stick stick(*scene.cue, *ball, elevation);
-    const CushionImpact& cushion = scene.impacts.ball_cushion;
-    const bool is_known = cushion.law != CushionLaw::restitution;
-    const double nose = is_known ? cushion.height : 1.28 * ball->radius;
+    const Surroundings surroundings(scene, *ball);
+    const auto hit = surroundings.find_hit(surroundings.stick(elevation));
+    if (!hit) return std::nullopt;
+    return surroundings.name(*hit);
+}
 
-    auto hit = find_hit(scene.balls, "balls",
-                        [&](const Ball& other) { return &other != ball && stick.hits(other); });
-    if (hit) return hit;
-    hit = find_hit(scene.segments, "segments",
-                   [&](const Segment& segment) { return stick.hits(segment, nose); });
-    if (hit) return hit;
-    return find_hit(scene.arcs, "arcs", [&](const Arc& arc) { return stick.hits(arc, nose); });
+bool is_obstructed(const Scene& scene, double elevation) {
+    const Ball* const ball = struck_ball(scene);
+    if (ball == nullptr) return false;
+    const Surroundings surroundings(scene, *ball);
+    return surroundings.find_hit(surroundings.stick(elevation)).has_value();
 }
 
 }  // namespace osculo::facade
@@ -136,10 +195,18 @@ std::optional<std::string> find_obstruction(const Scene& scene, double elevation
 namespace osculo {
 
 std::optional<double> least_elevation(const Scene& scene) {
-    // In steps of a milliradian, so that no rounding shows; a right angle has 1570.8 of them.
+    const Ball* const ball = facade::struck_ball(scene);
+    if (ball == nullptr) return 0;
+    const facade::Surroundings surroundings(scene, *ball);
+    // In steps of a milliradian, so that no rounding shows; a right angle has 1570.8 of them. What
+    // was in the way is looked at first: mostly it still is.
+    std::optional<facade::Obstruction> hit;
     for (int step = 0; step <= 1570; ++step) {
         const double elevation = step / 1000.0;
-        if (!facade::find_obstruction(scene, elevation)) return elevation;
+        const auto stick = surroundings.stick(elevation);
+        if (hit && surroundings.is_hit(stick, *hit)) continue;
+        hit = surroundings.find_hit(stick);
+        if (!hit) return elevation;
     }
     return std::nullopt;
 }

@@ -24,4 +24,7 @@ inline constexpr double kStickLength = 1.4732;
 /// Nothing if its way is free, or if the scene has no cue whose strike is otherwise possible.
 [[nodiscard]] std::optional<std::string> find_obstruction(const Scene& scene, double elevation);
 
+/// Whether there is such a thing; allocates nothing.
+[[nodiscard]] bool is_obstructed(const Scene& scene, double elevation);
+
 }  // namespace osculo::facade

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <string>
@@ -8,6 +9,7 @@
 #include "osculo/scene.hpp"
 #include "outline.hpp"
 #include "overlap.hpp"
+#include "start.hpp"
 #include "text.hpp"
 
 namespace osculo {
@@ -38,11 +40,26 @@ void require_size(double value, const std::string& path) {
             value);
 }
 
+bool is_within(const Point& p, double largest) {
+    return std::abs(p.x) <= largest && std::abs(p.y) <= largest;
+}
+
 void require_point(const Point& p, double largest, const std::string& path) {
-    const bool holds = std::abs(p.x) <= largest && std::abs(p.y) <= largest;
-    if (!holds) {
+    if (!is_within(p, largest)) {
         throw SceneError(
             path, concatenated("must have components of at most ", number_text(largest)), text(p));
+    }
+}
+
+void validate_state(const Ball& ball, std::size_t i) {
+    const auto slow = [](double w) { return std::abs(w) <= kFastest; };
+    const bool holds = is_within(ball.position, kLargest) && is_within(ball.velocity, kFastest) &&
+                       std::all_of(ball.spin.begin(), ball.spin.end(), slow);
+    if (holds) return;  // before any text is made
+    require_point(ball.position, kLargest, at("balls", i, ".position"));
+    require_point(ball.velocity, kFastest, at("balls", i, ".velocity"));
+    for (const double w : ball.spin) {
+        require(slow(w), at("balls", i, ".spin"), "must be at most 1e150", w);
     }
 }
 
@@ -71,12 +88,40 @@ void validate_balls(const Scene& scene, Ids& ids) {
         require_size(ball.mass, at("balls", i, ".mass"));
         require(ball.radius > 0, at("balls", i, ".radius"), "must be > 0", ball.radius);
         require_size(ball.radius, at("balls", i, ".radius"));
-        require_point(ball.position, kLargest, at("balls", i, ".position"));
-        require_point(ball.velocity, kFastest, at("balls", i, ".velocity"));
+        validate_state(ball, i);
         require(ball.inertia > 0 && ball.inertia <= 1, at("balls", i, ".inertia"),
                 "must be above 0 and at most 1", ball.inertia);
-        for (const double w : ball.spin) {
-            require(std::abs(w) <= kFastest, at("balls", i, ".spin"), "must be at most 1e150", w);
+    }
+}
+
+/// A rim that pulls, and what it has to do with the rest of the scene.
+void validate_pulling_rim(const Scene& scene, std::size_t k) {
+    const Rim& rim = scene.rims[k];
+    const auto name = [&](std::size_t i) {
+        return concatenated(at("rims", i, ""), " (\"", scene.rims[i].id, "\")");
+    };
+    if (std::holds_alternative<ClothMotion>(scene.motion)) {
+        throw SceneError(at("rims", k, ".law"),
+                         "must be capture on a cloth: others need uniform or rolling motion",
+                         std::string(to_string(rim.law)));
+    }
+    require(scene.gravity > 0, "gravity",
+            concatenated("must be > 0, for ", name(k), " pulls by it").c_str(), scene.gravity);
+    for (std::size_t i = 0; i < scene.balls.size(); ++i) {
+        require(scene.balls[i].radius < rim.radius, at("balls", i, ".radius"),
+                concatenated("must be less than that of ", name(k), ", which pulls it in").c_str(),
+                scene.balls[i].radius);
+    }
+    for (std::size_t i = 0; i < k; ++i) {
+        const Rim& other = scene.rims[i];
+        if (other.law != RimLaw::paper) continue;
+        const double apart =
+            std::hypot(rim.center.x - other.center.x, rim.center.y - other.center.y);
+        if (!(apart >= rim.radius + other.radius)) {
+            throw SceneError(at("rims", k, ".center"),
+                             concatenated("must not be so near to ", name(i),
+                                          " that both could pull a ball at once"),
+                             text(rim.center));
         }
     }
 }
@@ -112,11 +157,54 @@ void validate_obstacles(const Scene& scene, Ids& ids) {
         require_point(rim.center, kLargest, at("rims", k, ".center"));
         require(rim.radius > 0, at("rims", k, ".radius"), "must be > 0", rim.radius);
         require_size(rim.radius, at("rims", k, ".radius"));
+        if (rim.law == RimLaw::paper) validate_pulling_rim(scene, k);
     }
 }
 
 void require_friction(double value, const char* path) {
     require(value >= 0 && value <= kLargest, path, "must be >= 0 and finite", value);
+}
+
+void validate_drag(const Scene& scene, const ResistedMotion& law) {
+    // Squares of decelerations, and their products with squares of speeds, must stay in range.
+    constexpr double kMost = 1e30;
+    for (std::size_t i = 0; i < scene.balls.size(); ++i) {
+        require_point(scene.balls[i].velocity, kMost, at("balls", i, ".velocity"));
+    }
+    const auto check = [](double value, const std::string& path) {
+        require(value >= 0 && value <= kMost, path, "must be from 0 to 1e30", value);
+    };
+    check(law.constant, "motion.constant");
+    check(law.linear, "motion.linear");
+    check(law.quadratic, "motion.quadratic");
+    if (!law.medium) return;
+    const Medium& medium = *law.medium;
+    check(medium.density, "motion.medium.density");
+    check(medium.viscosity, "motion.medium.viscosity");
+    check(medium.drag_coefficient, "motion.medium.drag_coefficient");
+    for (std::size_t i = 0; i < scene.balls.size(); ++i) {
+        const Ball& ball = scene.balls[i];
+        const double drag = std::max(
+            20 * medium.viscosity * ball.radius / ball.mass,
+            2 * medium.density * medium.drag_coefficient * ball.radius * (ball.radius / ball.mass));
+        require(drag <= kMost, at("balls", i, ".mass"),
+                "must be large enough for a drag of at most 1e30 in the medium", ball.mass);
+    }
+}
+
+/// Friction without cloth is that of discs: nothing is said about their rolling or tumbling.
+void validate_discs(const Scene& scene) {
+    const bool rub = scene.impacts.ball_ball.law == BallBallLaw::frictional ||
+                     scene.impacts.ball_cushion.law == CushionLaw::frictional;
+    if (!rub || std::holds_alternative<ClothMotion>(scene.motion)) return;
+    for (std::size_t i = 0; i < scene.balls.size(); ++i) {
+        const Spin& spin = scene.balls[i].spin;
+        if (spin[0] == 0 && spin[1] == 0) continue;
+        throw SceneError(at("balls", i, ".spin"),
+                         "must be [0, 0, z] where there is friction but no cloth",
+                         concatenated("[", number_text(spin[0]), ", ", number_text(spin[1]), ", ",
+                                      number_text(spin[2]), "]"));
+    }
 }
 
 /// Frictions, and that only scenes with cloth ask for spin.
@@ -126,6 +214,9 @@ void validate_friction(const Scene& scene) {
     const auto* cloth = std::get_if<ClothMotion>(&scene.motion);
     if (const auto* rolling = std::get_if<RollingMotion>(&scene.motion)) {
         require_friction(rolling->friction, "motion.friction");
+    }
+    if (const auto* resisted = std::get_if<ResistedMotion>(&scene.motion)) {
+        validate_drag(scene, *resisted);
     }
     if (cloth != nullptr) {
         require_friction(cloth->sliding_friction, "motion.sliding_friction");
@@ -137,19 +228,33 @@ void validate_friction(const Scene& scene) {
             throw SceneError(path, "needs balls with spin, that is, the motion law cloth", value);
         }
     };
-    needs_cloth(balls.law == BallBallLaw::frictional, "impacts.ball_ball.law", "frictional");
-    needs_cloth(cushion.law != CushionLaw::restitution, "impacts.ball_cushion.law",
-                "a law with friction");
+    const bool upright = cushion.law == CushionLaw::frictional;
+    needs_cloth(cushion.law != CushionLaw::restitution && !upright, "impacts.ball_cushion.law",
+                "a law with the height of a nose");
+    if (upright && cloth != nullptr) {
+        throw SceneError("impacts.ball_cushion.law",
+                         "must not be frictional with cloth, where cushions have noses: "
+                         "han_2005, mathavan_2010 or stronge",
+                         "frictional");
+    }
+    validate_discs(scene);
     needs_cloth(scene.cue.has_value(), "cue", "a cue");
     for (const double f : balls.friction) require_friction(f, "impacts.ball_ball.friction");
     require(scene.impacts.contact_time >= 0 && scene.impacts.contact_time <= 1,
             "impacts.contact_time", "must be from 0 to 1 s", scene.impacts.contact_time);
+    if (const auto& speed = scene.impacts.rest_speed) {
+        require(*speed >= 0 && std::isfinite(*speed), "impacts.rest_speed",
+                "must be finite and not negative [m/s]", *speed);
+        require(scene.impacts.simultaneous == Simultaneous::symmetric, "impacts.rest_speed",
+                "needs the symmetric law for simultaneous impacts", *speed);
+    }
     if (cushion.law == CushionLaw::restitution) return;
     require_friction(cushion.friction, "impacts.ball_cushion.friction");
     require_friction(cushion.cloth_friction.value_or(0), "impacts.ball_cushion.cloth_friction");
     require(cushion.frequency_ratio > 1 && cushion.frequency_ratio < 2,
             "impacts.ball_cushion.frequency_ratio", "must be above 1 and below 2",
             cushion.frequency_ratio);
+    if (upright) return;
     for (const Ball& ball : scene.balls) {
         require(cushion.height > 0 && cushion.height < 2 * ball.radius,
                 "impacts.ball_cushion.height", "must be above 0 and below every ball's top",
@@ -206,6 +311,56 @@ Point on_arc(const Arc& arc, double angle) {
             arc.center.y + arc.radius * std::sin(angle)};
 }
 
+/// Whether the ball is so far from the box of two corners that it cannot reach into it.
+bool is_far(const Ball& ball, const Point& a, const Point& b) {
+    const double r = ball.radius;
+    const Point& p = ball.position;
+    return p.x + r < std::min(a.x, b.x) || p.x - r > std::max(a.x, b.x) ||
+           p.y + r < std::min(a.y, b.y) || p.y - r > std::max(a.y, b.y);
+}
+
+/// Throws if the ball overlaps an obstacle or is inside a rim.
+void validate_place(const Scene& scene, std::size_t i) {
+    const Ball& ball = scene.balls[i];
+    const auto check = [&](double depth, const char* list, std::size_t k, const char* part) {
+        if (depth > math::kStartOverlap * ball.radius) throw_overlap(i, at(list, k, part), depth);
+    };
+    for (std::size_t k = 0; k < scene.segments.size(); ++k) {
+        const Segment& segment = scene.segments[k];
+        if (is_far(ball, segment.from, segment.to)) continue;
+        check(depth_in(ball, segment), "segments", k, "");
+        check(depth_in(ball, segment.from), "segments", k, ".from");
+        check(depth_in(ball, segment.to), "segments", k, ".to");
+    }
+    for (std::size_t k = 0; k < scene.arcs.size(); ++k) {
+        const Arc& arc = scene.arcs[k];
+        if (is_far(ball, {arc.center.x - arc.radius, arc.center.y - arc.radius},
+                   {arc.center.x + arc.radius, arc.center.y + arc.radius})) {
+            continue;
+        }
+        check(depth_in(ball, arc), "arcs", k, "");
+        if (arc.to_angle - arc.from_angle < 2 * std::numbers::pi * (1 - 4 * 0x1p-52)) {
+            check(depth_in(ball, on_arc(arc, arc.from_angle)), "arcs", k, " (its start)");
+            check(depth_in(ball, on_arc(arc, arc.to_angle)), "arcs", k, " (its end)");
+        }
+    }
+    for (std::size_t k = 0; k < scene.rims.size(); ++k) {
+        const Rim& rim = scene.rims[k];
+        // A rim that pulls takes balls that are as far inside as their radius.
+        const bool pulls = rim.law == RimLaw::paper;
+        const double open = pulls ? rim.radius - ball.radius : rim.radius;
+        const double inside =
+            open - std::hypot(ball.position.x - rim.center.x, ball.position.y - rim.center.y);
+        if (inside > math::kStartOverlap * rim.radius) {
+            throw SceneError(
+                at("balls", i, ".position"),
+                concatenated(pulls ? "must not have fallen into " : "must not be inside ",
+                             at("rims", k, ""), " (\"", rim.id, "\")"),
+                text(ball.position));
+        }
+    }
+}
+
 void validate_places(const Scene& scene) {
     if (const auto overlap = facade::find_overlap(scene.balls, math::kStartOverlap)) {
         throw_overlap(overlap->second,
@@ -213,37 +368,7 @@ void validate_places(const Scene& scene) {
                                    scene.balls[overlap->first].id, "\")"),
                       overlap->depth);
     }
-    for (std::size_t i = 0; i < scene.balls.size(); ++i) {
-        const Ball& ball = scene.balls[i];
-        const auto check = [&](double depth, const char* list, std::size_t k, const char* part) {
-            if (depth > math::kStartOverlap * ball.radius)
-                throw_overlap(i, at(list, k, part), depth);
-        };
-        for (std::size_t k = 0; k < scene.segments.size(); ++k) {
-            check(depth_in(ball, scene.segments[k]), "segments", k, "");
-            check(depth_in(ball, scene.segments[k].from), "segments", k, ".from");
-            check(depth_in(ball, scene.segments[k].to), "segments", k, ".to");
-        }
-        for (std::size_t k = 0; k < scene.arcs.size(); ++k) {
-            const Arc& arc = scene.arcs[k];
-            check(depth_in(ball, arc), "arcs", k, "");
-            if (arc.to_angle - arc.from_angle < 2 * std::numbers::pi * (1 - 4 * 0x1p-52)) {
-                check(depth_in(ball, on_arc(arc, arc.from_angle)), "arcs", k, " (its start)");
-                check(depth_in(ball, on_arc(arc, arc.to_angle)), "arcs", k, " (its end)");
-            }
-        }
-        for (std::size_t k = 0; k < scene.rims.size(); ++k) {
-            const Rim& rim = scene.rims[k];
-            const double inside = rim.radius - std::hypot(ball.position.x - rim.center.x,
-                                                          ball.position.y - rim.center.y);
-            if (inside > math::kStartOverlap * rim.radius) {
-                throw SceneError(
-                    at("balls", i, ".position"),
-                    concatenated("must not be inside ", at("rims", k, ""), " (\"", rim.id, "\")"),
-                    text(ball.position));
-            }
-        }
-    }
+    for (std::size_t i = 0; i < scene.balls.size(); ++i) validate_place(scene, i);
 }
 
 void validate_closed(const Scene& scene) {
@@ -265,6 +390,20 @@ void validate_closed(const Scene& scene) {
 }
 
 }  // namespace
+
+bool facade::is_valid_start(const Scene& scene, std::span<const std::uint8_t> present) {
+    const auto is_there = [&](std::size_t i) { return present.empty() || present[i] != 0; };
+    try {
+        for (std::size_t i = 0; i < scene.balls.size(); ++i) {
+            if (!is_there(i)) continue;
+            validate_state(scene.balls[i], i);
+            validate_place(scene, i);
+        }
+    } catch (const SceneError&) {
+        return false;
+    }
+    return !has_overlap(scene.balls, present, math::kStartOverlap);
+}
 
 void validate(const Scene& scene) {
     Ids ids;

@@ -11,6 +11,10 @@ namespace osculo::io {
 /// JSON being written: one array element per line, everything else on the line of what it is in.
 class JsonText {
 public:
+    JsonText() = default;
+    /// Goes on after that text.
+    explicit JsonText(std::string text) : text_(std::move(text)) {}
+
     /// Text that is JSON already: brackets, commas, names.
     void raw(std::string_view text) { text_ += text; }
 

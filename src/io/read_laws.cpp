@@ -41,15 +41,18 @@ BallBallImpact read_ball_ball(const Value& value) {
 }
 
 CushionImpact read_ball_cushion(const Value& value) {
-    static constexpr Names kLaws{"restitution", "han_2005", "mathavan_2010", "stronge"};
-    static constexpr CushionLaw kValues[]{CushionLaw::restitution, CushionLaw::han_2005,
-                                          CushionLaw::mathavan_2010, CushionLaw::stronge};
+    static constexpr Names kLaws{"restitution", "frictional", "han_2005", "mathavan_2010",
+                                 "stronge"};
+    static constexpr CushionLaw kValues[]{CushionLaw::restitution, CushionLaw::frictional,
+                                          CushionLaw::han_2005, CushionLaw::mathavan_2010,
+                                          CushionLaw::stronge};
     static constexpr Names kRestitution{"law", "restitution"};
+    static constexpr Names kFrictional{"law", "restitution", "friction"};
     static constexpr Names kHan{"law", "restitution", "friction", "height"};
     static constexpr Names kMathavan{"law", "restitution", "friction", "height", "cloth_friction"};
     static constexpr Names kStronge{"law", "restitution", "friction", "height", "frequency_ratio"};
-    static constexpr std::span<const std::string_view> kKeys[]{kRestitution, kHan, kMathavan,
-                                                               kStronge};
+    static constexpr std::span<const std::string_view> kKeys[]{kRestitution, kFrictional, kHan,
+                                                               kMathavan, kStronge};
     const std::size_t law = law_of(value, kLaws, {});
     const Fields fields(value, kKeys[law]);
     CushionImpact result;
@@ -57,6 +60,7 @@ CushionImpact read_ball_cushion(const Value& value) {
     take(fields, "restitution", result.restitution);
     if (result.law == CushionLaw::restitution) return result;
     result.friction = fields.require("friction").number();
+    if (result.law == CushionLaw::frictional) return result;
     result.height = fields.require("height").number();
     if (result.law == CushionLaw::mathavan_2010) {
         if (const auto own = fields.find("cloth_friction")) result.cloth_friction = own->number();
@@ -65,16 +69,37 @@ CushionImpact read_ball_cushion(const Value& value) {
     return result;
 }
 
+Medium read_medium(const Value& value) {
+    static constexpr Names kKeys{"density", "viscosity", "drag_coefficient", "rolling"};
+    const Fields fields(value, kKeys);
+    Medium medium;
+    take(fields, "density", medium.density);
+    take(fields, "viscosity", medium.viscosity);
+    take(fields, "drag_coefficient", medium.drag_coefficient);
+    if (const auto rolling = fields.find("rolling")) medium.rolling = rolling->boolean();
+    return medium;
+}
+
+ResistedMotion read_resisted(const Value& value) {
+    static constexpr Names kKeys{"law", "constant", "linear", "quadratic", "medium"};
+    const Fields fields(value, kKeys);
+    ResistedMotion resisted;
+    take(fields, "constant", resisted.constant);
+    take(fields, "linear", resisted.linear);
+    take(fields, "quadratic", resisted.quadratic);
+    if (const auto medium = fields.find("medium")) resisted.medium = read_medium(*medium);
+    return resisted;
+}
+
 }  // namespace
 
 MotionLaw read_motion(const Value& value) {
-    static constexpr Names kLaws{"uniform", "rolling", "cloth"};
-    static constexpr Names kPlanned{"resisted"};
+    static constexpr Names kLaws{"uniform", "rolling", "cloth", "resisted"};
     static constexpr Names kUniform{"law"};
     static constexpr Names kRolling{"law", "friction"};
     static constexpr Names kCloth{"law", "sliding_friction", "rolling_friction",
                                   "spinning_friction"};
-    const std::size_t law = law_of(value, kLaws, kPlanned);
+    const std::size_t law = law_of(value, kLaws, {});
     if (law == 1) {
         RollingMotion rolling;
         take(Fields(value, kRolling), "friction", rolling.friction);
@@ -88,14 +113,15 @@ MotionLaw read_motion(const Value& value) {
         take(fields, "spinning_friction", cloth.spinning_friction);
         return cloth;
     }
+    if (law == 3) return read_resisted(value);
     const Fields fields(value, kUniform);
     return UniformMotion{};
 }
 
 Impacts read_impacts(const Value& value, const Impacts& defaults) {
-    static constexpr Names kSimultaneous{"sequential"};
-    static constexpr Names kPlannedSimultaneous{"symmetric"};
-    static constexpr Names kKeys{"ball_ball", "ball_cushion", "simultaneous", "contact_time"};
+    static constexpr Names kSimultaneous{"symmetric", "sequential"};
+    static constexpr Names kKeys{"ball_ball", "ball_cushion", "simultaneous", "contact_time",
+                                 "rest_speed"};
     const Fields fields(value, kKeys);
     Impacts result = defaults;
     if (const auto law = fields.find("ball_ball")) result.ball_ball = read_ball_ball(*law);
@@ -103,10 +129,11 @@ Impacts read_impacts(const Value& value, const Impacts& defaults) {
         result.ball_cushion = read_ball_cushion(*law);
     }
     if (const auto law = fields.find("simultaneous")) {
-        choice(*law, kSimultaneous, kPlannedSimultaneous);
-        result.simultaneous = Simultaneous::sequential;
+        result.simultaneous =
+            choice(*law, kSimultaneous) == 0 ? Simultaneous::symmetric : Simultaneous::sequential;
     }
     take(fields, "contact_time", result.contact_time);
+    if (const auto speed = fields.find("rest_speed")) result.rest_speed = speed->number();
     return result;
 }
 

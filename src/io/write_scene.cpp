@@ -42,7 +42,17 @@ void write_rim(JsonText& json, const Rim& rim) {
     members.string("id", rim.id);
     members.vector("center", rim.center);
     members.number("radius", rim.radius);
-    members.string("law", "capture");
+    members.string("law", to_string(rim.law));
+    members.close();
+}
+
+void write_medium(JsonText& json, const Medium& medium) {
+    Members members(json);
+    members.number("density", medium.density);
+    members.number("viscosity", medium.viscosity);
+    members.number("drag_coefficient", medium.drag_coefficient);
+    members.key("rolling");
+    json.boolean(medium.rolling);
     members.close();
 }
 
@@ -56,6 +66,15 @@ void write_motion(JsonText& json, const MotionLaw& motion) {
         members.number("sliding_friction", cloth->sliding_friction);
         members.number("rolling_friction", cloth->rolling_friction);
         members.number("spinning_friction", cloth->spinning_friction);
+    } else if (const auto* resisted = std::get_if<ResistedMotion>(&motion)) {
+        members.string("law", "resisted");
+        members.number("constant", resisted->constant);
+        members.number("linear", resisted->linear);
+        members.number("quadratic", resisted->quadratic);
+        if (resisted->medium) {
+            members.key("medium");
+            write_medium(json, *resisted->medium);
+        }
     } else {
         members.string("law", "uniform");
     }
@@ -77,6 +96,8 @@ void write_ball_cushion(JsonText& json, const CushionImpact& impact) {
     members.number("restitution", impact.restitution);
     if (impact.law != CushionLaw::restitution) {
         members.number("friction", impact.friction);
+    }
+    if (impact.law != CushionLaw::restitution && impact.law != CushionLaw::frictional) {
         members.number("height", impact.height);
     }
     if (impact.law == CushionLaw::mathavan_2010 && impact.cloth_friction) {
@@ -94,10 +115,13 @@ void write_impacts(JsonText& json, const Scene& scene) {
     write_ball_ball(json, scene.impacts.ball_ball);
     members.key("ball_cushion");
     write_ball_cushion(json, scene.impacts.ball_cushion);
-    members.string("simultaneous", "sequential");
+    members.string("simultaneous", scene.impacts.simultaneous == Simultaneous::symmetric
+                                       ? "symmetric"
+                                       : "sequential");
     if (!std::holds_alternative<UniformMotion>(scene.motion)) {
         members.number("contact_time", scene.impacts.contact_time);
     }
+    if (scene.impacts.rest_speed) members.number("rest_speed", *scene.impacts.rest_speed);
     members.close();
 }
 

@@ -88,6 +88,35 @@ void play(const char* name, std::uint64_t seed, double restitution) {
     run(name, restitution, std::move(scene));
 }
 
+/// A rack without gaps, broken in a box: what touches is resolved at once.
+template <math::Scalar S>
+void play_rack(const char* name, std::uint64_t seed, double restitution) {
+    using Type = engine::UniformScene<S, engine::Table, engine::NoRecorder, engine::AllPairs,
+                                      impact::Symmetric>;
+    using Vec = math::Vec<S>;
+    engine::SceneData<Type> scene;
+    const auto ball = [&](const Vec& place, const Vec& velocity) {
+        engine::Body<Type> body;
+        body.state.position = math::WidePoint<S>(place);
+        body.state.velocity = velocity;
+        body.radius = S(0.03125);
+        scene.bodies.push_back(body);
+    };
+    ball(Vec(S(0.25), S(0.5)), Vec(S(1), S(0.2 * next(seed) - 0.1)));
+    const S row_step = math::square_root<S>(S(3)) / S(32);
+    for (int row = 0; row < 5; ++row) {
+        for (int place = 0; place <= row; ++place) {
+            ball(Vec(S(0.5) + S(row) * row_step, S(0.5) + S(2 * place - row) / S(32)),
+                 Vec(S(0), S(0)));
+        }
+    }
+    scene.ball_ball_restitution = S(restitution);
+    scene.ball_cushion_restitution = S(restitution);
+    scene.rest_speed = S(1e-6);
+    add_table(scene);
+    run(name, restitution, std::move(scene));
+}
+
 /// The same on a cloth with friction everywhere, one of the balls struck by a cue.
 template <math::Scalar S>
 void play_cloth(const char* name, std::uint64_t seed) {
@@ -123,6 +152,31 @@ void play_cloth(const char* name, std::uint64_t seed) {
     run(name, 0.95, std::move(scene));
 }
 
+/// Discs that drag slows down and that rub.
+template <math::Scalar S>
+void play_discs(const char* name, std::uint64_t seed) {
+    using Type = engine::DiscScene<S, engine::NoRecorder>;
+    using Vec = math::Vec<S>;
+    engine::SceneData<Type> scene;
+    for (int k = 0; k < 12; ++k) {
+        engine::Body<Type> body;
+        body.radius = S(0.02 + 0.02 * next(seed));
+        body.mass = S(0.1 + next(seed));
+        body.state.radius = body.radius;
+        body.state.position = math::WidePoint<S>(
+            Vec(S(0.2 + 0.15 * (k % 4) + 0.02 * next(seed)), S(0.2 + 0.15 * (k / 4))));
+        body.state.velocity = {S(4 * next(seed) - 2), S(4 * next(seed) - 2)};
+        body.state.spin = {S(0), S(0), S(60 * next(seed) - 30)};
+        body.state.law = {S(0.1), S(next(seed)), S(2 * next(seed))};
+        scene.bodies.push_back(body);
+    }
+    scene.friction.ball_ball = {S(0.95), {S(0.1), S(0), S(0)}};
+    scene.friction.ball_cushion = {S(0.85), S(0.2)};
+    scene.contact_time = S(1e-4);
+    add_table(scene);
+    run(name, 0.95, std::move(scene));
+}
+
 }  // namespace
 
 int main() {
@@ -132,11 +186,17 @@ int main() {
             play<double>("double", seed, restitution);
             play<long double>("long double", seed, restitution);
             play<math::Quad>("quad", seed, restitution);
+            play_rack<double>("rack double", seed, restitution);
+            play_rack<long double>("rack long double", seed, restitution);
         }
         play_cloth<float>("cloth float", seed);
         play_cloth<double>("cloth double", seed);
         play_cloth<long double>("cloth long double", seed);
         play_cloth<math::Quad>("cloth quad", seed);
+        play_discs<float>("discs float", seed);
+        play_discs<double>("discs double", seed);
+        play_discs<long double>("discs long double", seed);
+        play_discs<math::Quad>("discs quad", seed);
     }
     return 0;
 }

@@ -21,7 +21,8 @@ TEST(Help, IsThereForEveryCommandWithAnExample) {
     const Result help = osculo({"--help"});
     EXPECT_EQ(help.code, 0);
     EXPECT_EQ(help.err, "");
-    for (const char* command : {"run", "render", "validate", "explain", "expand", "presets"}) {
+    for (const char* command : {"run", "render", "replay", "validate", "explain", "expand",
+                                "presets", "batch", "merge"}) {
         EXPECT_TRUE(contains(help.out, std::string("\n  ") + command)) << command;
         const Result own = osculo({command, "--help"});
         EXPECT_EQ(own.code, 0);
@@ -134,6 +135,17 @@ TEST(Run, ExitCodeSaysHowItEnded) {
     Scene still = presets::make("cradle");
     still.balls[0].velocity = {};
     EXPECT_EQ(osculo({"run", "-"}, scene_to_json(still)).code, 0);
+}
+
+TEST(Replay, WritesAPageOfRunsAndScenes) {
+    const Scene scene = presets::make("carom");
+    const osculo::Run run = simulate(scene);
+    EXPECT_EQ(osculo({"replay", "-"}, run_to_json(run)).out, io::to_html(run));
+    EXPECT_EQ(osculo({"replay", "preset:carom", "--width", "700"}).out, io::to_html(run, 700));
+    const Result bare =
+        osculo({"replay", "-"}, run_to_json(simulate(scene, {.record = Record::events})));
+    EXPECT_EQ(bare.code, 4);
+    EXPECT_TRUE(contains(bare.err, "no pieces")) << bare.err;
 }
 
 TEST(Render, DrawsScenesAndRuns) {

@@ -27,6 +27,15 @@ TEST(Run, AtFollowsThePieces) {
     EXPECT_FALSE(run.at(0, -1));
 }
 
+TEST(Run, AtOnAPieceIsAtOfItsBall) {
+    const auto run = simulate(two_balls());
+    ASSERT_EQ(run.pieces.size(), 4U);
+    for (const Piece& piece : run.pieces) {
+        const double middle = (piece.from + piece.to) / 2;
+        EXPECT_EQ(run.at(piece, middle), run.at(piece.ball, middle));
+    }
+}
+
 TEST(Run, AtKnowsNothingAfterACapture) {
     Scene scene = two_balls();
     scene.rims = {{"hole", {6, 0}, 0.5}};

@@ -123,31 +123,45 @@ TEST(SceneErrors, UnknownLawsAndNames) {
          "schema: must be osculo/scene-1, but it is \"osculo/scene-2\""},
         {R"({"schema": "osculo/run-1"})",
          "schema: must be osculo/scene-1, but it is \"osculo/run-1\""},
-        {with(R"("motion": {"law": "resisted", "linear": 0.2})"),
-         "motion.law: must be uniform, rolling or cloth (resisted is not available yet), "
-         "but it is \"resisted\""},
+        {with(R"("motion": {"law": "resisted", "liner": 0.2})"),
+         "motion.liner: unknown key, did you mean linear?"},
+        {with(R"("motion": {"law": "resisted", "linear": -0.2})"),
+         "motion.linear: must be from 0 to 1e30, but it is -0.2"},
+        {with(R"("motion": {"law": "resisted", "medium": {"density": "thick"}})"),
+         "motion.medium.density: must be a number, but it is \"thick\""},
+        {with(R"("motion": {"law": "resisted", "medium": {"drag_coefficient": -1}})"),
+         "motion.medium.drag_coefficient: must be from 0 to 1e30, but it is -1"},
         {with(R"("motion": {"law": "unifrom"})"),
-         "motion.law: must be uniform, rolling or cloth (resisted is not available yet), "
-         "did you mean uniform?, but it is \"unifrom\""},
-        {with(R"("impacts": {"ball_ball": {"law": "frictional", "friction": 0.05}})"),
-         "impacts.ball_ball.law: needs balls with spin, that is, the motion law cloth, "
-         "but it is frictional"},
+         "motion.law: must be uniform, rolling, cloth or resisted, did you mean uniform?, but it "
+         "is \"unifrom\""},
+        {with(R"("impacts": {"ball_ball": {"law": "frictional", "friction": -0.05}})"),
+         "impacts.ball_ball.friction: must be >= 0 and finite, but it is -0.05"},
+        {with(R"("impacts": {"ball_cushion": {"law": "frictional"}})"),
+         "impacts.ball_cushion.friction: must be given, but it is missing"},
+        {with(R"("impacts": {"ball_cushion": {"law": "frictional", "friction": 1, "height": 1}})"),
+         "impacts.ball_cushion.height: unknown key"},
         {with(R"("impacts": {"ball_cushion": {"law": "strong"}})"),
-         "impacts.ball_cushion.law: must be restitution, han_2005, mathavan_2010 or stronge, "
+         "impacts.ball_cushion.law: must be restitution, frictional, han_2005, mathavan_2010 or "
+         "stronge, "
          "did you mean stronge?, but it is \"strong\""},
         {with(R"("impacts": {"ball_cushion": {"law": "stronge"}})"),
          "impacts.ball_cushion.friction: must be given, but it is missing"},
         {with(R"("impacts": {"ball_cushion": {"law": "stronge", "friction": 0.2, "height": 1}})"),
          "impacts.ball_cushion.law: needs balls with spin, that is, the motion law cloth, "
-         "but it is a law with friction"},
+         "but it is a law with the height of a nose"},
         {with(R"("cue": {"ball": "a", "speed": 1, "azimuth": 0})"),
          "cue: needs balls with spin, that is, the motion law cloth, but it is a cue"},
-        {with(R"("impacts": {"simultaneous": "symmetric"})"),
-         "impacts.simultaneous: must be sequential (symmetric is not available yet), "
-         "but it is \"symmetric\""},
-        {with(R"("rims": [{"id": "r", "center": [0, 0], "radius": 1, "law": "paper"}])"),
-         "rims[0].law: must be capture (paper and tipping are not available yet), "
-         "but it is \"paper\""},
+        // Found by a fuzzer: the search for the elevation did not end.
+        {with(R"("motion": {"law": "cloth"},
+                 "balls": [{"id": "a", "mass": 1, "radius": 1, "position": [0, 0]}],
+                 "cue": {"ball": "a", "speed": 1, "azimuth": 1e300})"),
+         "cue.azimuth: must be from -1e12 to 1e12 rad, but it is 1e+300"},
+        {with(R"("impacts": {"simultaneous": "symetric"})"),
+         "impacts.simultaneous: must be symmetric or sequential, did you mean symmetric?, "
+         "but it is \"symetric\""},
+        {with(R"("rims": [{"id": "r", "center": [0, 0], "radius": 1, "law": "tipping"}])"),
+         "rims[0].law: must be capture or paper (tipping is not available yet), "
+         "but it is \"tipping\""},
         {with(R"("segments": [{"id": "s", "from": [0, 0], "to": [1, 0], "side": "right"}])"),
          "segments[0].side: must be left or both, but it is \"right\""},
         {with(R"("table": "pool-6ft")"),

@@ -157,6 +157,14 @@ TEST(Svg, StaysWithTheScene) {
     EXPECT_GT(std::stod(svg.substr(radius + 3)), 50);  // not shrunk to a dot
 }
 
+TEST(Svg, SaysItsScale) {
+    // A square metre, with 2 % around it, is as wide as the drawing without its margins.
+    Scene scene;
+    scene.segments.push_back({"s", {0, 0}, {1, 1}, Side::both});
+    EXPECT_NE(to_svg(scene, {1200}).find("(1 m is 1107.69 px)"), std::string::npos);
+    EXPECT_NE(to_svg(scene, {600}).find("(1 m is 553.846 px)"), std::string::npos);
+}
+
 TEST(Svg, WidthIsAsAsked) {
     const Scene scene = presets::make("break");
     EXPECT_NE(to_svg(scene).find("width=\"1200\""), std::string::npos);

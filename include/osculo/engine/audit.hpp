@@ -1,8 +1,11 @@
 #pragma once
 
+#include <span>
+
 #include "osculo/engine/audit/gaps.hpp"
 #include "osculo/engine/audit/histories.hpp"
 #include "osculo/engine/audit/impacts.hpp"
+#include "osculo/engine/audit/resisted.hpp"
 #include "osculo/engine/audit/result.hpp"
 
 namespace osculo::engine {
@@ -52,9 +55,15 @@ template <class Type>
     if (!record.events.empty()) {
         result.largest_energy_gain = -std::numeric_limits<double>::infinity();
     }
-    for (const EventOf<Type>& event : record.events) {
-        impacts.check(event, result);
-        histories.follow(event, result);
+    for (std::size_t k = 0; k < record.events.size();) {
+        std::size_t end_of_cluster = k + 1;
+        const std::uint32_t cluster = record.events[k].cluster.number;
+        while (cluster != 0 && end_of_cluster < record.events.size() &&
+               record.events[end_of_cluster].cluster.number == cluster) {
+            ++end_of_cluster;
+        }
+        impacts.check(std::span(record.events).subspan(k, end_of_cluster - k), result);
+        for (; k < end_of_cluster; ++k) histories.follow(record.events[k], result);
     }
     if (std::isinf(result.largest_energy_gain) && result.largest_energy_gain < 0) {
         result.largest_energy_gain = 0;  // events without motion

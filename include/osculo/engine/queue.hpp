@@ -21,8 +21,21 @@ public:
         }
     }
 
-    EventQueue(const EventQueue&) = delete;  // the handles belong to this heap
-    EventQueue& operator=(const EventQueue&) = delete;
+    /// The handles belong to their heap: a copy has its own. Entries are totally ordered, so that
+    /// the order inside of the heap does not matter.
+    EventQueue(const EventQueue& other) : EventQueue(other.entries_.size()) {
+        for (std::size_t i = 0; i < entries_.size(); ++i) {
+            const auto ball = static_cast<BallIndex>(i);
+            update(ball, other.next_of(ball));
+        }
+    }
+    EventQueue& operator=(const EventQueue& other) {
+        EventQueue copy(other);
+        heap_.swap(copy.heap_);  // handles go along
+        entries_.swap(copy.entries_);
+        return *this;
+    }
+    ~EventQueue() = default;
 
     /// Replaces the event of ball i.
     void update(BallIndex i, const Event<S>& event) { heap_.update(entries_[i], {event, i}); }

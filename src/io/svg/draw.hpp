@@ -31,6 +31,10 @@ bool draw_paths(Canvas& canvas, const Picture& picture, const Run& run);
 [[nodiscard]] std::size_t ball_stride(const Scene& scene);
 
 enum class BallStyle { solid, ghost };
+/// A ball of that radius [px] at that place.
+void draw_ball(Canvas& canvas, const Picture& picture, std::size_t ball, Point at, double radius);
+/// The radius it is drawn with [px]: never less than a dot.
+[[nodiscard]] double drawn_radius(const Picture& picture, std::size_t ball, double scale = 1);
 void draw_balls_at_start(Canvas& canvas, const Picture& picture, BallStyle style);
 void draw_balls_at_end(Canvas& canvas, const Picture& picture, const Run& run);
 void draw_velocities(Canvas& canvas, const Picture& picture);
@@ -47,6 +51,7 @@ struct Panel {
     Point corner;
     double width;
     double height;
+    double shown;  ///< size of a pixel of the drawing on the page [px]
 };
 struct PathsAndContacts {
     bool paths;

@@ -50,7 +50,16 @@ void draw_stripe_and_number(Canvas& canvas, const Picture& picture, std::size_t 
                 "text-anchor=\"middle\" font-weight=\"bold\" fill=\"#1c1c1c\"");
 }
 
-void draw_solid(Canvas& canvas, const Picture& picture, std::size_t ball, Point at, double radius) {
+void draw_ghost(Canvas& canvas, const Picture& picture, std::size_t ball, Point at, double radius) {
+    const std::string color(picture.colors[ball].color);
+    canvas.circle(at, radius,
+                  "fill=\"" + color + "\" fill-opacity=\"0.22\" stroke=\"" + color +
+                      "\" stroke-width=\"1.2\" stroke-dasharray=\"4 2.5\"");
+}
+
+}  // namespace
+
+void draw_ball(Canvas& canvas, const Picture& picture, std::size_t ball, Point at, double radius) {
     const BallColor& color = picture.colors[ball];
     const bool shows_stripe = color.striped && radius > 3;
     std::string style = "fill=\"" + std::string(shows_stripe ? "#f7f4ea" : color.color);
@@ -61,14 +70,9 @@ void draw_solid(Canvas& canvas, const Picture& picture, std::size_t ball, Point 
     if (radius > 3) draw_stripe_and_number(canvas, picture, ball, at, radius);
 }
 
-void draw_ghost(Canvas& canvas, const Picture& picture, std::size_t ball, Point at, double radius) {
-    const std::string color(picture.colors[ball].color);
-    canvas.circle(at, radius,
-                  "fill=\"" + color + "\" fill-opacity=\"0.22\" stroke=\"" + color +
-                      "\" stroke-width=\"1.2\" stroke-dasharray=\"4 2.5\"");
+double drawn_radius(const Picture& picture, std::size_t ball, double scale) {
+    return std::max(kSmallest, scale * picture.view.length(picture.scene.balls[ball].radius));
 }
-
-}  // namespace
 
 std::size_t ball_stride(const Scene& scene) {
     constexpr std::size_t kMostBalls = 20'000;
@@ -78,10 +82,9 @@ std::size_t ball_stride(const Scene& scene) {
 void draw_balls_at_start(Canvas& canvas, const Picture& picture, BallStyle style) {
     const std::size_t stride = ball_stride(picture.scene);
     for (std::size_t i = 0; i < picture.scene.balls.size(); i += stride) {
-        const Ball& ball = picture.scene.balls[i];
-        const Point at = picture.view(ball.position);
-        const double radius = std::max(kSmallest, picture.view.length(ball.radius));
-        (style == BallStyle::solid ? draw_solid : draw_ghost)(canvas, picture, i, at, radius);
+        const Point at = picture.view(picture.scene.balls[i].position);
+        (style == BallStyle::solid ? draw_ball : draw_ghost)(canvas, picture, i, at,
+                                                             drawn_radius(picture, i));
     }
 }
 
@@ -93,8 +96,7 @@ void draw_balls_at_end(Canvas& canvas, const Picture& picture, const Run& run) {
         if (!picture.view.shows(at)) continue;
         // A captured ball is smaller: it lies deeper.
         const double scale = final.fate == BallFate::captured ? 0.6 : 1;
-        const double radius = scale * picture.view.length(picture.scene.balls[i].radius);
-        draw_solid(canvas, picture, i, at, std::max(kSmallest, radius));
+        draw_ball(canvas, picture, i, at, drawn_radius(picture, i, scale));
     }
 }
 

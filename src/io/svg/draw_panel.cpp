@@ -37,6 +37,8 @@ std::string_view words(Status status) {
 std::string_view words(EventKind kind) {
     switch (kind) {
         case EventKind::capture: return "falls into";
+        case EventKind::rim_entry: return "comes to";
+        case EventKind::rim_exit: return "leaves";
         case EventKind::ball_ball:
         case EventKind::ball_segment:
         case EventKind::ball_arc:
@@ -103,8 +105,9 @@ std::string key_to_balls(const Scene& scene) {
     return stride == 1 ? "" : "One ball in " + std::to_string(stride) + " is drawn.";
 }
 
-void draw_scale_bar(Canvas& canvas, const View& view, Lines& lines, double width) {
-    const double metres = scale_length(view, std::min(220.0, 0.4 * width));
+// A bar, and how the world in metres becomes pixels.
+void draw_scale_bar(Canvas& canvas, const View& view, Lines& lines, const Panel& panel) {
+    const double metres = scale_length(view, std::min(220.0, 0.4 * panel.width));
     const double length = view.length(metres);
     lines.space(22);
     const Point at = lines.at();
@@ -113,7 +116,10 @@ void draw_scale_bar(Canvas& canvas, const View& view, Lines& lines, double width
     canvas.line({at.x, at.y - 4}, {at.x, at.y + 4}, "");
     canvas.line({at.x + length, at.y - 4}, {at.x + length, at.y + 4}, "");
     canvas.raw("</g>\n");
-    canvas.text({at.x + length + 8, at.y + 4.5}, 13, rounded(metres, 6) + " m", kDark);
+    canvas.text(
+        {at.x + length + 8, at.y + 4.5}, 13,
+        rounded(metres, 6) + " m (1 m is " + rounded(panel.shown * view.scale(), 6) + " px)",
+        kDark);
     lines.space(10);
 }
 
@@ -186,7 +192,7 @@ void draw_panel(Canvas& canvas, const Picture& picture, const Panel& panel, cons
         lines.text(18, counted(picture.scene.balls.size(), "ball") + " at the start",
                    "fill=\"#222222\" font-weight=\"bold\"");
         lines.paragraph(12, balls, kGrey);
-        draw_scale_bar(canvas, picture.view, lines, panel.width);
+        draw_scale_bar(canvas, picture.view, lines, panel);
         return;
     }
     lines.text(18,
@@ -197,7 +203,7 @@ void draw_panel(Canvas& canvas, const Picture& picture, const Panel& panel, cons
          {key_to_picture(*run, drawn), key_to_numbers(*run, drawn.contacts), balls}) {
         lines.paragraph(12, key, kGrey);
     }
-    draw_scale_bar(canvas, picture.view, lines, panel.width);
+    draw_scale_bar(canvas, picture.view, lines, panel);
     draw_events(canvas, lines, *run, drawn.contacts.numbered);
 }
 

@@ -21,20 +21,8 @@ struct Layout {
     Panel panel;
 };
 
-Layout layout_of(Box box) {
-    // Nothing is so thin that it cannot be seen.
-    constexpr double kThinnest = 0.2;
-    const double larger = std::max(box.width(), box.height());
-    if (box.height() < kThinnest * larger) {
-        const double add = (kThinnest * larger - box.height()) / 2;
-        box.bottom -= add;
-        box.top += add;
-    }
-    if (box.width() < kThinnest * larger) {
-        const double add = (kThinnest * larger - box.width()) / 2;
-        box.left -= add;
-        box.right += add;
-    }
+Layout layout_of(Box box, double shown) {
+    box.thicken();  // nothing is so thin that it cannot be seen
     const double inner = kWidth - 2 * kMargin;
     const double aspect = box.height() / box.width();
     constexpr double kTall = 1.2;
@@ -44,21 +32,21 @@ Layout layout_of(Box box) {
         const double panel_left = 2 * kMargin + frame_width;
         return {frame_height + 2 * kMargin,
                 View(box, {kMargin, kMargin}, frame_width, frame_height),
-                {{panel_left, kMargin}, kWidth - panel_left - kMargin, frame_height}};
+                {{panel_left, kMargin}, kWidth - panel_left - kMargin, frame_height, shown}};
     }
     const double frame_height = inner * aspect;
     return {frame_height + kPanelHeight + 2 * kMargin,
             View(box, {kMargin, kMargin}, inner, frame_height),
-            {{kMargin, kMargin + frame_height + 6}, inner, kPanelHeight}};
+            {{kMargin, kMargin + frame_height + 6}, inner, kPanelHeight, shown}};
 }
 
 std::string draw(const Scene& scene, const Run* run, const SvgOptions& options) {
     const Outline outline = outline_of(scene);
     Box box = extent(scene, run);
     if (!outline.bed.empty()) box = outline.frame;
-    const Layout layout = layout_of(box);
     const double width =
         std::isfinite(options.width) ? std::clamp(options.width, 10.0, 1e5) : kWidth;
+    const Layout layout = layout_of(box, width / kWidth);
     const Look look = look_of(scene);
     const std::vector<BallColor> colors = ball_colors(scene, look);
     const Picture picture{scene, look, colors, layout.view};

@@ -25,6 +25,17 @@ Box Box::within(const Box& other) const {
             std::min(right, other.right), std::min(top, other.top)};
 }
 
+void Box::thicken() {
+    constexpr double kThinnest = 0.2;
+    const double least = kThinnest * std::max(width(), height());
+    const double up = std::max(0.0, (least - height()) / 2);
+    const double aside = std::max(0.0, (least - width()) / 2);
+    bottom -= up;
+    top += up;
+    left -= aside;
+    right += aside;
+}
+
 View::View(const Box& box, Point frame_corner, double frame_width, double frame_height)
     : corner(frame_corner), width(frame_width), height(frame_height) {
     center_ = {box.left / 2 + box.right / 2, box.bottom / 2 + box.top / 2};

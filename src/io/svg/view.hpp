@@ -22,6 +22,8 @@ struct Box {
     void add(Point point, double radius = 0);
     void grow(double margin);
     [[nodiscard]] Box within(const Box& other) const;
+    /// Grows until no side is less than a fifth of the other.
+    void thicken();
 };
 
 /// From metres, y up, to pixels, y down.
@@ -36,6 +38,9 @@ public:
     }
     [[nodiscard]] double length(double metres) const { return metres * scale_; }
     [[nodiscard]] double metres(double pixels) const { return pixels / scale_; }
+    [[nodiscard]] double scale() const { return scale_; }   ///< [px/m]
+    [[nodiscard]] Point center() const { return center_; }  ///< [m], shown at origin()
+    [[nodiscard]] Point origin() const { return origin_; }  ///< [px]
 
     /// The part of a straight line in pixels that is inside the frame.
     [[nodiscard]] std::optional<std::pair<Point, Point>> visible(Point from, Point to) const;

@@ -4,6 +4,7 @@
 #include <numeric>
 
 #include "osculo/engine/audit/pieces.hpp"
+#include "osculo/engine/audit/resisted.hpp"
 #include "osculo/engine/audit/result.hpp"
 #include "osculo/engine/audit/smallest_gap.hpp"
 

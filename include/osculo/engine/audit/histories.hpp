@@ -67,6 +67,11 @@ private:
         // What an impact changes is checked with the impact; nothing else changes anything.
         const bool impact = event.kind != kTransition && !history.captured;
         if (impact) history.noise = math::never<S>();
+        // A phase too short for instants to show ends when it begins.
+        if (event.kind == kTransition) {
+            history.noise = std::max<S>(
+                history.noise, noise_of(event.before[side], S(0), math::narrow(event.when)));
+        }
         expect(i, event.after[side], result);
         history.now = event.when;
         history.noise = S(0);

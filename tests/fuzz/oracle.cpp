@@ -1,0 +1,58 @@
+#include "oracle.hpp"
+
+#include <algorithm>
+#include <cstdio>
+#include <cstdlib>
+
+#include "osculo/io.hpp"
+#include "osculo/simulate.hpp"
+
+namespace osculo::fuzz {
+namespace {
+
+constexpr std::uint64_t kMostEvents = 300;
+constexpr std::uint64_t kFewEvents = 30;  // files and pictures of more show nothing new
+
+bool same_end(const Run& one, const Run& other, bool reversed) {
+    if (one.status != other.status || one.event_count != other.event_count) return false;
+    if (one.time != other.time) return false;
+    const std::size_t count = one.balls.size();
+    for (std::size_t i = 0; i < count; ++i) {
+        if (one.balls[i] != other.balls[reversed ? count - 1 - i : i]) return false;
+    }
+    return true;
+}
+
+}  // namespace
+
+void require(bool condition, const char* what, const Scene& scene) {
+    if (condition) return;
+    std::fprintf(stderr, "broken: %s\n%s", what, io::scene_to_json(scene).c_str());
+    std::abort();
+}
+
+void check_run(Scene scene) {
+    scene.limits.events = std::min(scene.limits.events, kMostEvents);
+    Options options;
+    options.audit = true;
+    const Run run = simulate(scene, options);
+    require(run.event_count <= scene.limits.events, "more events than the limit", scene);
+    require(run.time <= scene.limits.time, "later than the limit", scene);
+    require(run.events.size() == run.event_count, "events are not all recorded", scene);
+    if (run.status == Status::numeric) return;  // the numbers are said to mean nothing
+    require(run.audit->clean, "the audit is not clean", scene);
+
+    const std::string text = io::run_to_json(run);
+    require(io::run_to_json(io::run_from_json(text)) == text, "a file does not give it back",
+            scene);
+    require(!io::to_svg(run).empty(), "there is no picture", scene);
+
+    const Run bare = simulate(scene, {.record = Record::none});
+    require(same_end(run, bare, false), "recording changes it", scene);
+    Scene reversed = scene;
+    std::ranges::reverse(reversed.balls);
+    require(same_end(run, simulate(reversed, options), true), "the order of the balls changes it",
+            scene);
+}
+
+}  // namespace osculo::fuzz
