@@ -15,12 +15,14 @@ namespace osculo {
 
 /// What an event is.
 enum class EventKind {
-    capture,       ///< a ball's centre crosses a rim with the capture law: it is gone
+    capture,       ///< a ball falls into a rim: it is gone
     ball_ball,     ///< two balls
     ball_segment,  ///< a ball and the straight part of a segment
     ball_arc,      ///< a ball and the circular part of an arc
     ball_point,    ///< a ball and an end point of a segment or arc
     transition,    ///< a ball's motion enters its next phase
+    rim_entry,     ///< a ball's centre comes into a rim that pulls it,
+    rim_exit,      ///< or leaves it
 };
 
 /// The kind as it is written in files: "capture", "ball_ball", ...
@@ -32,6 +34,8 @@ enum class EventKind {
         case EventKind::ball_arc: return "ball_arc";
         case EventKind::ball_point: return "ball_point";
         case EventKind::transition: return "transition";
+        case EventKind::rim_entry: return "rim_entry";
+        case EventKind::rim_exit: return "rim_exit";
     }
     return "ball_ball";
 }
@@ -44,6 +48,7 @@ enum class Phase {
     rolling,
     sliding,
     resisted,  ///< slowing down by drag
+    rim,       ///< pulled by a rim
 };
 
 /// The phase as it is written in files: "uniform", "rest", ...
@@ -55,6 +60,7 @@ enum class Phase {
         case Phase::rolling: return "rolling";
         case Phase::sliding: return "sliding";
         case Phase::resisted: return "resisted";
+        case Phase::rim: return "rim";
     }
     return "uniform";
 }
@@ -75,10 +81,14 @@ struct Event {
     std::uint32_t ball = 0;  ///< index into scene.balls
     std::uint32_t other =
         0;         ///< index into scene.balls, .segments, .arcs, .rims or run.points, by kind
-    Point point;   ///< where the boundaries touch (capture: the ball's centre) [m]
+    Point point;   ///< where the boundaries touch (rims: the ball's centre) [m]
     Point normal;  ///< unit, from `ball` towards `other`
     std::array<BallState, 2> before;  ///< of `ball` and, for ball_ball, `other`
     std::array<BallState, 2> after;
+    /// Contacts that were resolved together have the same number, from 1 on; 0: by itself. They
+    /// follow each other, and only what all of them do together has a meaning.
+    std::uint32_t cluster = 0;
+    bool well_posed = true;  ///< of a cluster: false if another law or order has another outcome
     Phase from = Phase::uniform;  ///< of a transition
     Phase to = Phase::uniform;
     friend bool operator==(const Event&, const Event&) = default;
@@ -100,6 +110,10 @@ struct Event {
 /// coefficients may be 0.
 ///
 /// A position is the sum of its two parts, like an instant.
+///
+/// In a rim with the law paper, position and velocity at `from` are the start of a motion with the
+/// energy and the angular momentum that it has there (osculo/motion/rim_paper.hpp); Run::along()
+/// follows it. Its spin stays.
 struct Piece {
     std::uint32_t ball = 0;  ///< index into scene.balls
     double from = 0;         ///< [s]
@@ -115,6 +129,7 @@ struct Piece {
     /// constant [m/s^2], linear [1/s] and quadratic [1/m] deceleration, in the phase `resisted`
     std::array<double, 3> resistance{};
     Phase phase = Phase::uniform;
+    std::uint32_t rim = 0;  ///< of the phase rim: index into scene.rims
     friend bool operator==(const Piece&, const Piece&) = default;
 };
 
@@ -142,7 +157,7 @@ struct FinalBall {
 
 /// An independent check of a run, from its pieces alone. Relative figures unless a unit is given.
 struct Audit {
-    double energy_initial = 0;  ///< [J]
+    double energy_initial = 0;  ///< [J], in a rim that pulls with that of its field, 0 on the rim
     double energy_final = 0;    ///< [J], captured balls included with their energy at capture
     /// Largest gain of energy at one impact, that of spin included, over the energy of its balls
     /// before (<= 0: none gained), beyond what parting of balls pressed together may take.
@@ -167,7 +182,9 @@ struct Audit {
 
 /// Which ready-made engine ran the scene.
 struct EngineInfo {
-    std::string name;  ///< e.g. "uniform/restitution/segments+points/double/pieces/all-pairs"
+    std::string
+        name;  ///< e.g.
+               ///< "uniform/restitution/symmetric/rims+segments+arcs+points/double/pieces/all-pairs"
     std::vector<std::string>
         left_out;  ///< features of osculo that this engine does not contain, with why
     friend bool operator==(const EngineInfo&, const EngineInfo&) = default;
@@ -179,6 +196,8 @@ struct Run {
     Status status = Status::at_rest;
     double time = 0;                ///< simulated time at the end [s]
     std::uint64_t event_count = 0;  ///< events, whether recorded or not
+    /// Impacts among them that did not bounce because they were slower than Impacts::rest_speed.
+    std::uint64_t settled_count = 0;
     EngineInfo engine;
     std::vector<std::string> points;         ///< names of the end points, e.g. "rail-3.from"
     std::vector<Event> events;               ///< in order of time; empty unless recorded
@@ -193,6 +212,12 @@ struct Run {
     /// The state of ball [index] at time t [s], from the pieces; nothing outside of what was
     /// recorded or after the ball's capture. Error of the position: a few ulp of its coordinates.
     [[nodiscard]] std::optional<BallState> at(std::uint32_t index, double t) const;
+
+    /// The state on one of the run's pieces at time t [s], in it.
+    [[nodiscard]] BallState at(const Piece& piece, double t) const;
+    /// The states on one of the pieces at times since its beginning [s], within its duration.
+    [[nodiscard]] std::vector<BallState> along(const Piece& piece,
+                                               const std::vector<double>& times) const;
 };
 
 }  // namespace osculo

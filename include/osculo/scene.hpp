@@ -62,14 +62,24 @@ struct Arc {
 /// What happens to a ball whose centre crosses a rim.
 enum class RimLaw {
     capture,  ///< it is gone
+    paper,    ///< it is pulled towards the centre, and falls or leaves; not on a cloth
 };
+
+/// The law as it is written in files: "capture", "paper".
+[[nodiscard]] constexpr std::string_view to_string(RimLaw law) {
+    switch (law) {
+        case RimLaw::capture: return "capture";
+        case RimLaw::paper: return "paper";
+    }
+    return "capture";
+}
 
 /// The edge of a hole.
 struct Rim {
     std::string id;
     Point center;
-    double radius = 1;  ///< [m], > 0
-    RimLaw law = RimLaw::capture;
+    double radius = 1;             ///< [m], > 0
+    RimLaw law = RimLaw::capture;  ///< rims with the law paper do not overlap each other
     friend bool operator==(const Rim&, const Rim&) = default;
 };
 
@@ -170,6 +180,7 @@ struct CushionImpact {
 
 /// How contacts at one instant that share a ball are resolved.
 enum class Simultaneous {
+    symmetric,   ///< all at once, whatever their order (osculo/impact/symmetric.hpp)
     sequential,  ///< pair by pair, in the total order of events, until no touching pair approaches
 };
 
@@ -179,7 +190,12 @@ struct Impacts {
     /// Things that are pressed together meet at most once in this time [s], >= 0; not for uniform
     /// motion (osculo/impact/pressing.hpp says why).
     double contact_time = 1e-4;
-    Simultaneous simultaneous = Simultaneous::sequential;
+    Simultaneous simultaneous = Simultaneous::symmetric;
+    /// Contacts that close more slowly than this do not bounce unless they are elastic [m/s], >= 0;
+    /// under the symmetric law only. If left out, kRestShare of the fastest ball's speed at the
+    /// start, after the strike.
+    std::optional<double> rest_speed;
+    static constexpr double kRestShare = 1e-6;
     friend bool operator==(const Impacts&, const Impacts&) = default;
 };
 
@@ -208,7 +224,7 @@ struct Cue {
 /// Everything that exists. SI units, radians.
 struct Scene {
     MotionLaw motion;
-    double gravity = 9.81;  ///< [m/s^2], >= 0; not for uniform motion
+    double gravity = 9.81;  ///< [m/s^2], >= 0; for friction and rims
     std::vector<Ball> balls;
     std::vector<Segment> segments;
     std::vector<Arc> arcs;

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <array>
 
 #include "ready_engine.hpp"
@@ -18,10 +19,19 @@ bool has_discs(const Scene& scene) {
             scene.impacts.ball_cushion.law == CushionLaw::frictional);
 }
 
-/// Discs have one engine for every motion law and cushion of theirs.
+bool has_pulling_rims(const Scene& scene) {
+    return std::ranges::any_of(scene.rims, [](const Rim& rim) { return rim.law == RimLaw::paper; });
+}
+
+/// Discs have one engine for every motion law and cushion of theirs; rims that pull have one for
+/// free flight too, which is rolling without friction.
 bool covers_laws(const ReadyEngine& engine, const Scene& scene) {
     if (has_discs(scene)) return engine.discs;
-    return !engine.discs && engine.motion == static_cast<MotionKind>(scene.motion.index()) &&
+    const auto motion = static_cast<MotionKind>(scene.motion.index());
+    const bool pulls = has_pulling_rims(scene);
+    const bool moves = engine.motion == motion || (pulls && motion == MotionKind::uniform &&
+                                                   engine.motion == MotionKind::rolling);
+    return !engine.discs && moves && engine.pulling_rims == pulls &&
            engine.cushion == scene.impacts.ball_cushion.law;
 }
 
@@ -29,8 +39,8 @@ bool covers(const ReadyEngine& engine, const Scene& scene, const Options& option
     const bool table = !scene.arcs.empty() || !scene.rims.empty();
     const Record record = options.audit ? Record::pieces : options.record;
     return engine.precision == options.precision && covers_laws(engine, scene) &&
-           engine.record >= record && (engine.arcs_and_rims || !table) &&
-           (engine.segments || scene.segments.empty()) &&
+           engine.simultaneous == scene.impacts.simultaneous && engine.record >= record &&
+           (engine.arcs_and_rims || !table) && (engine.segments || scene.segments.empty()) &&
            (engine.cell_grid || engine.motion != MotionKind::uniform ||
             scene.balls.size() <= kFewBalls);
 }
@@ -44,6 +54,7 @@ const ReadyEngine& narrowest_engine(const Scene& scene, const Options& options, 
                             double_rolling_engines(),
                             double_resisted_engines(),
                             double_disc_engines(),
+                            double_rims_engines(),
                             double_cloth_engines(),
                             double_cloth_han_engines(),
                             double_cloth_mathavan_engines(),
@@ -51,7 +62,20 @@ const ReadyEngine& narrowest_engine(const Scene& scene, const Options& options, 
                             extended_engines(),
                             quad_engines(),
                             digits50_engines(),
-                            digits100_engines()};
+                            digits100_engines(),
+                            double_table_symmetric_engines(),
+                            double_rolling_symmetric_engines(),
+                            double_resisted_symmetric_engines(),
+                            double_disc_symmetric_engines(),
+                            double_rims_symmetric_engines(),
+                            double_cloth_symmetric_engines(),
+                            double_cloth_han_symmetric_engines(),
+                            double_cloth_mathavan_symmetric_engines(),
+                            double_cloth_stronge_symmetric_engines(),
+                            extended_symmetric_engines(),
+                            quad_symmetric_engines(),
+                            digits50_symmetric_engines(),
+                            digits100_symmetric_engines()};
     for (const auto& group : groups) {
         for (const ReadyEngine& engine : group) {
             const bool suits = batch ? engine.make_player != nullptr : engine.begin != nullptr;
@@ -82,6 +106,9 @@ EngineInfo choose_engine(const Scene& scene, const Options& options) {
         leave_out("spin about horizontal axes: there is no cloth");
     } else if (engine.motion != MotionKind::cloth) {
         leave_out("spin and friction: there is no cloth");
+    }
+    if (engine.simultaneous == Simultaneous::sequential) {
+        leave_out("clusters: impacts at one instant are resolved pair by pair");
     }
     if (!engine.segments) leave_out("segments and end points: the scene has none");
     if (!engine.arcs_and_rims) leave_out("arcs and rims: the scene has none");

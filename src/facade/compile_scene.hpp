@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <iterator>
 #include <numbers>
 #include <numeric>
 #include <string>
@@ -27,8 +28,9 @@ struct CompiledScene {
     std::vector<std::uint32_t> balls;  ///< engine's number -> index in the scene
     std::vector<std::uint32_t> segments;
     std::vector<std::uint32_t> arcs;
-    std::vector<std::uint32_t> rims;
-    std::vector<std::string> points;  ///< names of the end points, by the engine's number
+    std::vector<std::uint32_t> rims;          ///< that capture
+    std::vector<std::uint32_t> pulling_rims;  ///< with the law paper
+    std::vector<std::string> points;          ///< names of the end points, by the engine's number
 };
 
 /// The indices of things, sorted by id.
@@ -130,6 +132,7 @@ template <class Type>
     if constexpr (std::is_base_of_v<motion::Resisted, typename Type::Motion>) {
         body.state.law = compile_resistance<S>(scene, ball);
     }
+    if constexpr (engine::kHasRims<typename Type::Motion>) body.state.ball_radius = S(ball.radius);
     if constexpr (Type::Motion::kSpin) {
         body.state.spin = {S(ball.spin[0]), S(ball.spin[1]), S(ball.spin[2])};
         body.state.radius = S(ball.radius);
@@ -153,6 +156,12 @@ void compile_laws(const Scene& scene, engine::SceneData<Type>& data) {
     const S g(scene.gravity);
     if constexpr (std::is_same_v<typename Type::Motion, motion::Rolling>) {
         data.motion.deceleration = S(std::get<RollingMotion>(scene.motion).friction) * g;
+    }
+    if constexpr (engine::kHasRims<typename Type::Motion>) {
+        if (const auto* rolling = std::get_if<RollingMotion>(&scene.motion)) {
+            data.motion.deceleration = S(rolling->friction) * g;
+        }
+        data.motion.gravity = g;
     }
     if constexpr (std::is_same_v<typename Type::Motion, motion::Cloth>) {
         const auto& cloth = std::get<ClothMotion>(scene.motion);
@@ -188,6 +197,19 @@ void compile_laws(const Scene& scene, engine::SceneData<Type>& data) {
     if constexpr (Type::Motion::kTransitions) data.contact_time = S(scene.impacts.contact_time);
 }
 
+/// As the scene says, or else by how fast its balls are at the start [m/s].
+template <class Type>
+[[nodiscard]] typename Type::Scalar rest_speed(const Scene& scene,
+                                               const std::vector<engine::Body<Type>>& bodies) {
+    using S = typename Type::Scalar;
+    if (scene.impacts.rest_speed) return S(*scene.impacts.rest_speed);
+    S fastest(0);
+    for (const auto& body : bodies) {
+        fastest = std::max<S>(fastest, math::norm<S>(body.state.velocity));
+    }
+    return S(Impacts::kRestShare) * fastest;
+}
+
 template <class Type>
 [[nodiscard]] CompiledScene<Type> compile_scene(const Scene& scene) {
     using S = typename Type::Scalar;
@@ -197,6 +219,9 @@ template <class Type>
         result.data.bodies.push_back(compile_ball<Type>(scene, scene.balls[i]));
     }
     compile_laws(scene, result.data);
+    if constexpr (Type::Simultaneous::kGathersCluster) {
+        result.data.rest_speed = rest_speed<Type>(scene, result.data.bodies);
+    }
 
     using List = typename Type::ObstacleList;
     constexpr bool kWalls = List::template kContains<S, geometry::Segment<S>>;
@@ -221,10 +246,22 @@ template <class Type>
             points.add(arcs.back().start_point(), scene.arcs[k].id + ".from");
             points.add(arcs.back().end_point(), scene.arcs[k].id + ".to");
         }
+        const auto is_paper = [&](std::uint32_t k) { return scene.rims[k].law == RimLaw::paper; };
         result.rims = order_by_id(scene.rims);
+        std::copy_if(result.rims.begin(), result.rims.end(),
+                     std::back_inserter(result.pulling_rims), is_paper);
+        std::erase_if(result.rims, is_paper);
+        const auto rim = [&](std::uint32_t k) {
+            return geometry::Rim<S>{vec<S>(scene.rims[k].center), S(scene.rims[k].radius)};
+        };
         auto& rims = std::get<std::vector<geometry::Rim<S>>>(result.data.obstacles);
-        for (const std::uint32_t k : result.rims) {
-            rims.push_back({vec<S>(scene.rims[k].center), S(scene.rims[k].radius)});
+        for (const std::uint32_t k : result.rims) rims.push_back(rim(k));
+        if constexpr (engine::kHasRims<typename Type::Motion>) {
+            for (const std::uint32_t k : result.pulling_rims) {
+                result.data.motion.rims.push_back({rim(k)});
+            }
+            std::get<std::vector<geometry::PullingRim<S>>>(result.data.obstacles) =
+                result.data.motion.rims;
         }
     }
     if constexpr (kWalls) {

@@ -48,6 +48,11 @@ public:
         event.time_low = low(record.when);
         event.kind = kind(record.kind);
         event.ball = compiled_.balls[record.first];
+        if constexpr (engine::kHasRims<typename Type::Motion>) {
+            if (event.kind == EventKind::transition && ends_stay(record)) {
+                return end_of_stay(record, event);
+            }
+        }
         if (event.kind == EventKind::transition) {
             event.point = point(record.before[0].position.rounded());
             event.before[0] = state(record.before[0], event.ball);
@@ -58,11 +63,14 @@ public:
             return event;
         }
         event.other = other(event.kind, record.second);
+        event.cluster = record.cluster.number;
+        event.well_posed = record.cluster.well_posed;
         const math::Vec<S> unit = record.normal / math::norm<S>(record.normal);
         event.normal = point(unit);
         const math::Vec<S> center = record.before[0].position.rounded();
-        const S radius =
-            event.kind == EventKind::capture ? S(0) : S(scene_.balls[event.ball].radius);
+        const bool of_center =
+            event.kind == EventKind::capture || event.kind == EventKind::rim_entry;
+        const S radius = of_center ? S(0) : S(scene_.balls[event.ball].radius);
         event.point = point(math::Vec<S>(center + radius * unit));
         const int count = event.kind == EventKind::ball_ball ? 2 : 1;
         for (int k = 0; k < count; ++k) {
@@ -87,6 +95,12 @@ public:
             const auto& law = record.state.law;
             piece.resistance = {math::to_double<S>(law.constant), math::to_double<S>(law.linear),
                                 math::to_double<S>(law.quadratic)};
+        }
+        if constexpr (engine::kHasRims<typename Type::Motion>) {
+            if (piece.phase == Phase::rim) {
+                piece.acceleration = {};
+                piece.rim = compiled_.pulling_rims[record.state.rim];
+            }
         }
         if constexpr (kCloth) {
             piece.spin_rate = {math::to_double<S>(record.state.spin_rate.x()),
@@ -119,6 +133,8 @@ public:
     [[nodiscard]] std::uint32_t other(EventKind event_kind, std::uint32_t n) const {
         switch (event_kind) {
             case EventKind::capture: return compiled_.rims[n];
+            case EventKind::rim_entry:
+            case EventKind::rim_exit: return compiled_.pulling_rims[n];
             case EventKind::ball_ball: return compiled_.balls[n];
             case EventKind::ball_segment: return compiled_.segments[n];
             case EventKind::ball_arc: return compiled_.arcs[n];
@@ -154,7 +170,9 @@ private:
         const EventKind event_kind = kind(thing.kind);
         const std::uint32_t index = other(event_kind, thing.index);
         switch (event_kind) {
-            case EventKind::capture: return scene_.rims[index].id;
+            case EventKind::capture:
+            case EventKind::rim_entry:
+            case EventKind::rim_exit: return scene_.rims[index].id;
             case EventKind::ball_ball: return scene_.balls[index].id;
             case EventKind::ball_segment: return scene_.segments[index].id;
             case EventKind::ball_arc: return scene_.arcs[index].id;
@@ -163,8 +181,35 @@ private:
         }
         return {};
     }
+    /// The rim that has captured a ball.
+    [[nodiscard]] std::uint32_t rim_of(const engine::Body<Type>& body) const {
+        if constexpr (engine::kHasRims<typename Type::Motion>) {
+            if (body.state.fallen) return compiled_.pulling_rims[body.state.rim];
+        }
+        return compiled_.rims[body.last_other];
+    }
+    /// Whether a transition is that of a ball out of, or into, a rim that pulled it.
+    template <class Record>
+    [[nodiscard]] static bool ends_stay(const Record& record) {
+        return record.before[0].stay && (record.after[0].fallen || !record.after[0].stay);
+    }
+    template <class Record>
+    [[nodiscard]] Event end_of_stay(const Record& record, Event event) const {
+        const auto& rim = record.before[0].stay->rim();
+        event.kind = record.after[0].fallen ? EventKind::capture : EventKind::rim_exit;
+        event.other = compiled_.pulling_rims[record.before[0].rim];
+        const math::Vec<S> inwards = -math::difference<S>(record.before[0].position, rim.center);
+        event.normal = point(math::Vec<S>(inwards / math::norm<S>(inwards)));
+        event.point = point(record.before[0].position.rounded());
+        event.before[0] = state(record.before[0], event.ball);
+        event.after[0] = state(record.after[0], event.ball);
+        return event;
+    }
     static constexpr EventKind kind_of(const std::vector<geometry::Rim<S>>*) {
         return EventKind::capture;
+    }
+    static constexpr EventKind kind_of(const std::vector<geometry::PullingRim<S>>*) {
+        return EventKind::rim_entry;
     }
     static constexpr EventKind kind_of(const std::vector<geometry::Segment<S>>*) {
         return EventKind::ball_segment;
@@ -199,7 +244,11 @@ private:
         return result;
     }
     template <class State>
-    [[nodiscard]] static Phase phase(const State& state) {
+    [[nodiscard]] Phase phase(const State& state) const {
+        if constexpr (engine::kHasRims<typename Type::Motion>) {
+            if (state.stay) return Phase::rim;
+            if (std::holds_alternative<UniformMotion>(scene_.motion)) return Phase::uniform;
+        }
         if constexpr (kCloth) {
             switch (state.phase) {
                 case motion::ClothPhase::rest: return Phase::rest;

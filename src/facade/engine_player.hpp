@@ -62,6 +62,17 @@ private:
         played.counter.begin(cue_ball_of(scene_), bodies_.size());
         for (const auto& event : engine_.recorder().events) {
             const EventKind kind = Converter<Type>::kind(event.kind);
+            if constexpr (engine::kHasRims<typename Type::Motion>) {
+                // A ball that falls into a rim that pulls it does so by a transition.
+                if (kind == EventKind::transition) {
+                    const Event converted = convert.event(event);
+                    if (converted.kind == EventKind::capture) {
+                        played.counter.add(converted.kind, converted.ball, converted.other,
+                                           converted.time);
+                    }
+                    continue;
+                }
+            }
             if (kind == EventKind::transition) continue;
             played.counter.add(kind, compiled_.balls[event.first],
                                convert.other(kind, event.second),

@@ -37,6 +37,7 @@ public:
         run.status = engine_.finish(status, {S(limits.time), limits.events});
         run.time = time();
         run.event_count = engine_.event_count();
+        run.settled_count = engine_.settled_count();
         const Converter<Type> convert{scene_, *compiled_};
         run.balls = convert.balls(engine_.bodies());
         if constexpr (Type::Recorder::kEvents) {

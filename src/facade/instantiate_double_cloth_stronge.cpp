@@ -1,17 +1,6 @@
-#include "osculo/impact/cushion_stronge.hpp"
-#include "run_engine.hpp"
+#include "cushion_stronge.hpp"
 
 namespace osculo::facade {
-
-template <math::Scalar S>
-struct CushionFrom<impact::CushionStronge<S>> {
-    static impact::CushionStronge<S> make(const CushionImpact& c, const ClothMotion&) {
-        return {S(c.restitution), S(c.friction), S(c.height), S(c.frequency_ratio)};
-    }
-};
-template <>
-inline constexpr CushionLaw kCushionLaw<engine::WithFriction<impact::CushionStronge>> =
-    CushionLaw::stronge;
 
 std::span<const ReadyEngine> double_cloth_stronge_engines() {
     using namespace engine;

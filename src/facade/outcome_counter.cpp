@@ -7,7 +7,8 @@ namespace osculo::facade {
 namespace {
 
 bool is_contact(EventKind kind) {
-    return kind != EventKind::capture && kind != EventKind::transition;
+    return kind != EventKind::capture && kind != EventKind::transition &&
+           kind != EventKind::rim_entry && kind != EventKind::rim_exit;
 }
 
 // The two things in one number: three bits of kind, thirty of each index.

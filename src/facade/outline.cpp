@@ -124,6 +124,7 @@ Outline::Outline(const Scene& scene, double radius) : radius_(radius) {
         }
     }
     for (const Rim& rim : scene.rims) {
+        if (rim.law != RimLaw::capture) continue;  // balls may cross it
         shapes_.push_back({Shape::Kind::disk, rim.center, {}, rim.radius, 0, 0, 0});
     }
     for (std::size_t i = 0; i < shapes_.size(); ++i) {

@@ -19,10 +19,12 @@ struct ReadyEngine {
     MotionKind motion;
     bool discs;  ///< balls turn about the vertical, and rub: for every motion law but cloth
     CushionLaw cushion;
+    Simultaneous simultaneous;
     bool segments;  ///< and end points
     bool arcs_and_rims;
-    Record record;   ///< at most this
-    bool cell_grid;  ///< for many balls; gives the same results as all pairs
+    bool pulling_rims;  ///< with the law paper; of free flight too
+    Record record;      ///< at most this
+    bool cell_grid;     ///< for many balls; gives the same results as all pairs
     std::string (*name)();
     /// Begins the run of a valid scene, to which it keeps a reference. Null if the engine is for
     /// batches only.
@@ -38,6 +40,7 @@ struct ReadyEngine {
 [[nodiscard]] std::span<const ReadyEngine> double_rolling_engines();
 [[nodiscard]] std::span<const ReadyEngine> double_resisted_engines();
 [[nodiscard]] std::span<const ReadyEngine> double_disc_engines();
+[[nodiscard]] std::span<const ReadyEngine> double_rims_engines();
 [[nodiscard]] std::span<const ReadyEngine> double_cloth_engines();
 [[nodiscard]] std::span<const ReadyEngine> double_cloth_han_engines();
 [[nodiscard]] std::span<const ReadyEngine> double_cloth_mathavan_engines();
@@ -46,6 +49,19 @@ struct ReadyEngine {
 [[nodiscard]] std::span<const ReadyEngine> quad_engines();
 [[nodiscard]] std::span<const ReadyEngine> digits50_engines();
 [[nodiscard]] std::span<const ReadyEngine> digits100_engines();
+[[nodiscard]] std::span<const ReadyEngine> double_table_symmetric_engines();
+[[nodiscard]] std::span<const ReadyEngine> double_rolling_symmetric_engines();
+[[nodiscard]] std::span<const ReadyEngine> double_resisted_symmetric_engines();
+[[nodiscard]] std::span<const ReadyEngine> double_disc_symmetric_engines();
+[[nodiscard]] std::span<const ReadyEngine> double_rims_symmetric_engines();
+[[nodiscard]] std::span<const ReadyEngine> double_cloth_symmetric_engines();
+[[nodiscard]] std::span<const ReadyEngine> double_cloth_han_symmetric_engines();
+[[nodiscard]] std::span<const ReadyEngine> double_cloth_mathavan_symmetric_engines();
+[[nodiscard]] std::span<const ReadyEngine> double_cloth_stronge_symmetric_engines();
+[[nodiscard]] std::span<const ReadyEngine> extended_symmetric_engines();
+[[nodiscard]] std::span<const ReadyEngine> quad_symmetric_engines();
+[[nodiscard]] std::span<const ReadyEngine> digits50_symmetric_engines();
+[[nodiscard]] std::span<const ReadyEngine> digits100_symmetric_engines();
 
 /// The narrowest engine that covers the scene.
 [[nodiscard]] const ReadyEngine& narrowest_engine(const Scene& scene, const Options& options,

@@ -2,6 +2,7 @@
 
 #include "osculo/math/instant.hpp"
 #include "osculo/math/vec.hpp"
+#include "osculo/motion/rim_paper.hpp"
 #include "osculo/motion/slowing.hpp"
 
 namespace osculo {
@@ -28,6 +29,16 @@ BallState resisted_state_in(const Piece& piece, double wait) {
     return {{p.x(), p.y()}, {now.q * velocity.x(), now.q * velocity.y()}, piece.spin};
 }
 
+/// The motion of a piece in a rim.
+motion::RimPaperMotion<double> rim_motion(const Scene& scene, const Piece& piece) {
+    const Rim& rim = scene.rims[piece.rim];
+    return {{{rim.center.x, rim.center.y}, rim.radius},
+            scene.gravity,
+            scene.balls[piece.ball].radius,
+            start_of(piece),
+            {piece.velocity.x, piece.velocity.y}};
+}
+
 }  // namespace
 
 BallState state_in(const Piece& piece, double radius, double wait) {
@@ -51,7 +62,9 @@ BallState state_in(const Piece& piece, double radius, double wait) {
 std::array<std::string, 2> Run::ids(const Event& event) const {
     const std::string& ball = scene.balls[event.ball].id;
     switch (event.kind) {
-        case EventKind::capture: return {ball, scene.rims[event.other].id};
+        case EventKind::capture:
+        case EventKind::rim_entry:
+        case EventKind::rim_exit: return {ball, scene.rims[event.other].id};
         case EventKind::ball_ball: return {ball, scene.balls[event.other].id};
         case EventKind::ball_segment: return {ball, scene.segments[event.other].id};
         case EventKind::ball_arc: return {ball, scene.arcs[event.other].id};
@@ -64,11 +77,32 @@ std::array<std::string, 2> Run::ids(const Event& event) const {
 std::optional<BallState> Run::at(std::uint32_t index, double t) const {
     for (const Piece& piece : pieces) {
         if (piece.ball != index || t < piece.from || t > piece.to) continue;
-        const double wait = math::duration<double>(math::two_sum(piece.from, piece.from_low),
-                                                   math::Instant<double>(t));
-        return state_in(piece, scene.balls[index].radius, wait);
+        return at(piece, t);
     }
     return std::nullopt;
+}
+
+BallState Run::at(const Piece& piece, double t) const {
+    const double wait =
+        math::duration<double>(math::two_sum(piece.from, piece.from_low), math::Instant<double>(t));
+    return along(piece, {wait}).front();
+}
+
+std::vector<BallState> Run::along(const Piece& piece, const std::vector<double>& times) const {
+    std::vector<BallState> states;
+    states.reserve(times.size());
+    if (piece.phase != Phase::rim) {
+        const double radius = scene.balls[piece.ball].radius;
+        for (const double t : times) states.push_back(state_in(piece, radius, t));
+        return states;
+    }
+    const auto motion = rim_motion(scene, piece);
+    for (const double t : times) {
+        const auto now = motion.at(t);
+        const math::Vec<double> p = now.position.rounded();
+        states.push_back({{p.x(), p.y()}, {now.velocity.x(), now.velocity.y()}, piece.spin});
+    }
+    return states;
 }
 
 }  // namespace osculo

@@ -15,11 +15,12 @@
 
 namespace osculo::facade {
 
-/// "uniform/restitution/segments+points/double/pieces/all-pairs".
+/// "uniform/restitution/symmetric/rims+segments+arcs+points/double/pieces/all-pairs".
 template <class Type>
 [[nodiscard]] std::string engine_name(const char* obstacles, const char* scalar) {
-    return concatenated(Type::Motion::kName, "/", Type::Impact::kName, "/", obstacles, "/", scalar,
-                        "/", Type::Recorder::kName, "/", Type::BroadPhase::kName);
+    return concatenated(Type::Motion::kName, "/", Type::Impact::kName, "/",
+                        Type::Simultaneous::kName, "/", obstacles, "/", scalar, "/",
+                        Type::Recorder::kName, "/", Type::BroadPhase::kName);
 }
 
 /// The scalar types by their names on the command line.
@@ -69,6 +70,12 @@ struct ObstacleName<engine::Table> {
     static constexpr const char* kName = "rims+segments+arcs+points";
 };
 
+template <>
+struct ObstacleName<engine::PullingTable> {
+    static constexpr bool kSegments = true, kArcsAndRims = true;
+    static constexpr const char* kName = "rims+segments+arcs+points";
+};
+
 /// The scene's cushion law that an engine has; laws without spin have restitution only.
 template <class Laws>
 inline constexpr CushionLaw kCushionLaw = CushionLaw::restitution;
@@ -97,8 +104,11 @@ template <class Type>
     engine.motion = kMotionKind<typename Type::Motion>;
     engine.discs = std::is_same_v<typename Type::Motion, motion::Disc>;
     engine.cushion = kCushionLaw<typename Type::Impact>;
+    engine.simultaneous =
+        Type::Simultaneous::kGathersCluster ? Simultaneous::symmetric : Simultaneous::sequential;
     engine.segments = Name::kSegments;
     engine.arcs_and_rims = Name::kArcsAndRims;
+    engine.pulling_rims = engine::kHasRims<typename Type::Motion>;
     engine.record = Type::Recorder::kPieces                           ? Record::pieces
                     : Type::Recorder::kEvents && !kContactsOnly<Type> ? Record::events
                                                                       : Record::none;

@@ -94,6 +94,38 @@ void validate_balls(const Scene& scene, Ids& ids) {
     }
 }
 
+/// A rim that pulls, and what it has to do with the rest of the scene.
+void validate_pulling_rim(const Scene& scene, std::size_t k) {
+    const Rim& rim = scene.rims[k];
+    const auto name = [&](std::size_t i) {
+        return concatenated(at("rims", i, ""), " (\"", scene.rims[i].id, "\")");
+    };
+    if (std::holds_alternative<ClothMotion>(scene.motion)) {
+        throw SceneError(at("rims", k, ".law"),
+                         "must be capture on a cloth: others need uniform or rolling motion",
+                         std::string(to_string(rim.law)));
+    }
+    require(scene.gravity > 0, "gravity",
+            concatenated("must be > 0, for ", name(k), " pulls by it").c_str(), scene.gravity);
+    for (std::size_t i = 0; i < scene.balls.size(); ++i) {
+        require(scene.balls[i].radius < rim.radius, at("balls", i, ".radius"),
+                concatenated("must be less than that of ", name(k), ", which pulls it in").c_str(),
+                scene.balls[i].radius);
+    }
+    for (std::size_t i = 0; i < k; ++i) {
+        const Rim& other = scene.rims[i];
+        if (other.law != RimLaw::paper) continue;
+        const double apart =
+            std::hypot(rim.center.x - other.center.x, rim.center.y - other.center.y);
+        if (!(apart >= rim.radius + other.radius)) {
+            throw SceneError(at("rims", k, ".center"),
+                             concatenated("must not be so near to ", name(i),
+                                          " that both could pull a ball at once"),
+                             text(rim.center));
+        }
+    }
+}
+
 void validate_obstacles(const Scene& scene, Ids& ids) {
     for (std::size_t k = 0; k < scene.segments.size(); ++k) {
         const Segment& s = scene.segments[k];
@@ -125,11 +157,39 @@ void validate_obstacles(const Scene& scene, Ids& ids) {
         require_point(rim.center, kLargest, at("rims", k, ".center"));
         require(rim.radius > 0, at("rims", k, ".radius"), "must be > 0", rim.radius);
         require_size(rim.radius, at("rims", k, ".radius"));
+        if (rim.law == RimLaw::paper) validate_pulling_rim(scene, k);
     }
 }
 
 void require_friction(double value, const char* path) {
     require(value >= 0 && value <= kLargest, path, "must be >= 0 and finite", value);
+}
+
+void validate_drag(const Scene& scene, const ResistedMotion& law) {
+    // Squares of decelerations, and their products with squares of speeds, must stay in range.
+    constexpr double kMost = 1e30;
+    for (std::size_t i = 0; i < scene.balls.size(); ++i) {
+        require_point(scene.balls[i].velocity, kMost, at("balls", i, ".velocity"));
+    }
+    const auto check = [](double value, const std::string& path) {
+        require(value >= 0 && value <= kMost, path, "must be from 0 to 1e30", value);
+    };
+    check(law.constant, "motion.constant");
+    check(law.linear, "motion.linear");
+    check(law.quadratic, "motion.quadratic");
+    if (!law.medium) return;
+    const Medium& medium = *law.medium;
+    check(medium.density, "motion.medium.density");
+    check(medium.viscosity, "motion.medium.viscosity");
+    check(medium.drag_coefficient, "motion.medium.drag_coefficient");
+    for (std::size_t i = 0; i < scene.balls.size(); ++i) {
+        const Ball& ball = scene.balls[i];
+        const double drag = std::max(
+            20 * medium.viscosity * ball.radius / ball.mass,
+            2 * medium.density * medium.drag_coefficient * ball.radius * (ball.radius / ball.mass));
+        require(drag <= kMost, at("balls", i, ".mass"),
+                "must be large enough for a drag of at most 1e30 in the medium", ball.mass);
+    }
 }
 
 /// Friction without cloth is that of discs: nothing is said about their rolling or tumbling.
@@ -156,13 +216,7 @@ void validate_friction(const Scene& scene) {
         require_friction(rolling->friction, "motion.friction");
     }
     if (const auto* resisted = std::get_if<ResistedMotion>(&scene.motion)) {
-        require_friction(resisted->constant, "motion.constant");
-        require_friction(resisted->linear, "motion.linear");
-        require_friction(resisted->quadratic, "motion.quadratic");
-        const Medium medium = resisted->medium.value_or(Medium{});
-        require_friction(medium.density, "motion.medium.density");
-        require_friction(medium.viscosity, "motion.medium.viscosity");
-        require_friction(medium.drag_coefficient, "motion.medium.drag_coefficient");
+        validate_drag(scene, *resisted);
     }
     if (cloth != nullptr) {
         require_friction(cloth->sliding_friction, "motion.sliding_friction");
@@ -188,6 +242,12 @@ void validate_friction(const Scene& scene) {
     for (const double f : balls.friction) require_friction(f, "impacts.ball_ball.friction");
     require(scene.impacts.contact_time >= 0 && scene.impacts.contact_time <= 1,
             "impacts.contact_time", "must be from 0 to 1 s", scene.impacts.contact_time);
+    if (const auto& speed = scene.impacts.rest_speed) {
+        require(*speed >= 0 && std::isfinite(*speed), "impacts.rest_speed",
+                "must be finite and not negative [m/s]", *speed);
+        require(scene.impacts.simultaneous == Simultaneous::symmetric, "impacts.rest_speed",
+                "needs the symmetric law for simultaneous impacts", *speed);
+    }
     if (cushion.law == CushionLaw::restitution) return;
     require_friction(cushion.friction, "impacts.ball_cushion.friction");
     require_friction(cushion.cloth_friction.value_or(0), "impacts.ball_cushion.cloth_friction");
@@ -286,12 +346,16 @@ void validate_place(const Scene& scene, std::size_t i) {
     }
     for (std::size_t k = 0; k < scene.rims.size(); ++k) {
         const Rim& rim = scene.rims[k];
+        // A rim that pulls takes balls that are as far inside as their radius.
+        const bool pulls = rim.law == RimLaw::paper;
+        const double open = pulls ? rim.radius - ball.radius : rim.radius;
         const double inside =
-            rim.radius - std::hypot(ball.position.x - rim.center.x, ball.position.y - rim.center.y);
+            open - std::hypot(ball.position.x - rim.center.x, ball.position.y - rim.center.y);
         if (inside > math::kStartOverlap * rim.radius) {
             throw SceneError(
                 at("balls", i, ".position"),
-                concatenated("must not be inside ", at("rims", k, ""), " (\"", rim.id, "\")"),
+                concatenated(pulls ? "must not have fallen into " : "must not be inside ",
+                             at("rims", k, ""), " (\"", rim.id, "\")"),
                 text(ball.position));
         }
     }

@@ -119,9 +119,9 @@ MotionLaw read_motion(const Value& value) {
 }
 
 Impacts read_impacts(const Value& value, const Impacts& defaults) {
-    static constexpr Names kSimultaneous{"sequential"};
-    static constexpr Names kPlannedSimultaneous{"symmetric"};
-    static constexpr Names kKeys{"ball_ball", "ball_cushion", "simultaneous", "contact_time"};
+    static constexpr Names kSimultaneous{"symmetric", "sequential"};
+    static constexpr Names kKeys{"ball_ball", "ball_cushion", "simultaneous", "contact_time",
+                                 "rest_speed"};
     const Fields fields(value, kKeys);
     Impacts result = defaults;
     if (const auto law = fields.find("ball_ball")) result.ball_ball = read_ball_ball(*law);
@@ -129,10 +129,11 @@ Impacts read_impacts(const Value& value, const Impacts& defaults) {
         result.ball_cushion = read_ball_cushion(*law);
     }
     if (const auto law = fields.find("simultaneous")) {
-        choice(*law, kSimultaneous, kPlannedSimultaneous);
-        result.simultaneous = Simultaneous::sequential;
+        result.simultaneous =
+            choice(*law, kSimultaneous) == 0 ? Simultaneous::symmetric : Simultaneous::sequential;
     }
     take(fields, "contact_time", result.contact_time);
+    if (const auto speed = fields.find("rest_speed")) result.rest_speed = speed->number();
     return result;
 }
 

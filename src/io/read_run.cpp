@@ -44,7 +44,9 @@ struct Indices {
 
     [[nodiscard]] const Index& of_other(EventKind kind) const {
         switch (kind) {
-            case EventKind::capture: return rims;
+            case EventKind::capture:
+            case EventKind::rim_entry:
+            case EventKind::rim_exit: return rims;
             case EventKind::ball_ball: return balls;
             case EventKind::ball_segment: return segments;
             case EventKind::ball_arc: return arcs;
@@ -79,22 +81,23 @@ std::array<BallState, 2> read_states(const Value& value, EventKind kind) {
 
 Phase read_phase(const Value& value) {
     static constexpr Phase kPhases[]{Phase::uniform, Phase::rest,    Phase::spinning,
-                                     Phase::rolling, Phase::sliding, Phase::resisted};
-    static constexpr Names kPhaseNames{to_string(kPhases[0]), to_string(kPhases[1]),
-                                       to_string(kPhases[2]), to_string(kPhases[3]),
-                                       to_string(kPhases[4]), to_string(kPhases[5])};
+                                     Phase::rolling, Phase::sliding, Phase::resisted,
+                                     Phase::rim};
+    static constexpr Names kPhaseNames{
+        to_string(kPhases[0]), to_string(kPhases[1]), to_string(kPhases[2]), to_string(kPhases[3]),
+        to_string(kPhases[4]), to_string(kPhases[5]), to_string(kPhases[6])};
     return kPhases[choice(value, kPhaseNames)];
 }
 
 Event read_event(const Value& value, const Indices& indices) {
-    static constexpr Names kKeys{"time",   "time_low", "kind",  "ids",  "point",
-                                 "normal", "before",   "after", "from", "to"};
-    static constexpr EventKind kKinds[]{EventKind::capture,      EventKind::ball_ball,
-                                        EventKind::ball_segment, EventKind::ball_arc,
-                                        EventKind::ball_point,   EventKind::transition};
-    static constexpr Names kKindNames{to_string(kKinds[0]), to_string(kKinds[1]),
-                                      to_string(kKinds[2]), to_string(kKinds[3]),
-                                      to_string(kKinds[4]), to_string(kKinds[5])};
+    static constexpr Names kKeys{"time",   "time_low", "kind", "ids", "point",   "normal",
+                                 "before", "after",    "from", "to",  "cluster", "well_posed"};
+    static constexpr EventKind kKinds[]{
+        EventKind::capture,    EventKind::ball_ball,  EventKind::ball_segment, EventKind::ball_arc,
+        EventKind::ball_point, EventKind::transition, EventKind::rim_entry,    EventKind::rim_exit};
+    static constexpr Names kKindNames{
+        to_string(kKinds[0]), to_string(kKinds[1]), to_string(kKinds[2]), to_string(kKinds[3]),
+        to_string(kKinds[4]), to_string(kKinds[5]), to_string(kKinds[6]), to_string(kKinds[7])};
     const Fields fields(value, kKeys);
     Event event;
     event.time = fields.require("time").number();
@@ -118,6 +121,12 @@ Event read_event(const Value& value, const Indices& indices) {
     } else {
         event.point = fields.require("point").point();
         event.normal = fields.require("normal").point();
+        if (const auto cluster = fields.find("cluster")) {
+            const std::uint64_t number = cluster->natural();
+            if (number == 0 || number > 0xFFFFFFFFU) cluster->fail("must be from 1 to 4294967295");
+            event.cluster = static_cast<std::uint32_t>(number);
+        }
+        if (const auto unique = fields.find("well_posed")) event.well_posed = unique->boolean();
     }
     event.before = read_states(fields.require("before"), event.kind);
     event.after = read_states(fields.require("after"), event.kind);
@@ -128,7 +137,7 @@ Event read_event(const Value& value, const Indices& indices) {
 Piece read_piece(const Value& value, const Indices& indices) {
     static constexpr Names kKeys{"ball",         "from",      "from_low",     "to",       "to_low",
                                  "law",          "position",  "position_low", "velocity", "spin",
-                                 "acceleration", "spin_rate", "resistance"};
+                                 "acceleration", "spin_rate", "resistance",   "rim"};
     const Fields fields(value, kKeys);
     Piece piece;
     piece.ball = indices.balls(fields.require("ball"));
@@ -137,6 +146,11 @@ Piece read_piece(const Value& value, const Indices& indices) {
     piece.to = fields.require("to").number();
     if (const auto low = fields.find("to_low")) piece.to_low = low->number();
     piece.phase = read_phase(fields.require("law"));
+    if (piece.phase == Phase::rim) {
+        piece.rim = indices.rims(fields.require("rim"));
+    } else if (const auto rim = fields.find("rim")) {
+        rim->fail("is for the law rim only");
+    }
     piece.position = fields.require("position").point();
     if (const auto low = fields.find("position_low")) piece.position_low = low->point();
     piece.velocity = fields.require("velocity").point();
@@ -209,9 +223,9 @@ Status read_status(const Value& value) {
 
 Run read_run(const Value& value) {
     static constexpr Names kSchemas{kRunSchema};
-    static constexpr Names kKeys{"schema", "status",      "time",    "event_count", "engine",
-                                 "audit",  "certificate", "outcome", "balls",       "points",
-                                 "events", "pieces",      "scene"};
+    static constexpr Names kKeys{"schema", "status", "time",        "event_count", "settled_count",
+                                 "engine", "audit",  "certificate", "outcome",     "balls",
+                                 "points", "events", "pieces",      "scene"};
     if (const auto schema = value.member("schema")) choice(*schema, kSchemas);
     const Fields fields(value, kKeys);
     static_cast<void>(fields.require("schema"));
@@ -221,6 +235,7 @@ Run read_run(const Value& value) {
     run.status = read_status(fields.require("status"));
     run.time = fields.require("time").number();
     run.event_count = fields.require("event_count").natural();
+    if (const auto count = fields.find("settled_count")) run.settled_count = count->natural();
     run.engine = read_engine(fields.require("engine"));
     if (const auto audit = fields.find("audit")) run.audit = read_audit(*audit);
     if (const auto certificate = fields.find("certificate")) {

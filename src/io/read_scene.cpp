@@ -51,15 +51,16 @@ Arc read_arc(const Value& value) {
 }
 
 Rim read_rim(const Value& value) {
-    static constexpr Names kLaws{"capture"};
-    static constexpr Names kPlanned{"paper", "tipping"};
+    static constexpr RimLaw kRimLaws[]{RimLaw::capture, RimLaw::paper};
+    static constexpr Names kLaws{to_string(kRimLaws[0]), to_string(kRimLaws[1])};
+    static constexpr Names kPlanned{"tipping"};
     static constexpr Names kKeys{"id", "center", "radius", "law"};
     const Fields fields(value, kKeys);
     Rim rim;
     rim.id = fields.require("id").text();
     rim.center = fields.require("center").point();
     rim.radius = fields.require("radius").number();
-    if (const auto law = fields.find("law")) choice(*law, kLaws, kPlanned);
+    if (const auto law = fields.find("law")) rim.law = kRimLaws[choice(*law, kLaws, kPlanned)];
     return rim;
 }
 

@@ -35,6 +35,11 @@ void write_event(JsonText& json, const Run& run, const Event& event) {
         json.strings(run.ids(event));
         members.vector("point", event.point);
         members.vector("normal", event.normal);
+        if (event.cluster != 0) {
+            members.number("cluster", std::uint64_t{event.cluster});
+            members.key("well_posed");
+            json.boolean(event.well_posed);
+        }
     }
     members.key("before");
     write_states(json, event.before, both);
@@ -51,6 +56,7 @@ void write_piece(JsonText& json, const Run& run, const Piece& piece) {
     members.number("to", piece.to);
     members.low_part("to_low", piece.to_low);
     members.string("law", to_string(piece.phase));
+    if (piece.phase == Phase::rim) members.string("rim", run.scene.rims[piece.rim].id);
     members.vector("position", piece.position);
     members.rare("position_low", piece.position_low);
     members.vector("velocity", piece.velocity);
@@ -104,6 +110,10 @@ std::string run_to_json(const Run& run) {
     json.number(run.time);
     key("event_count");
     json.number(run.event_count);
+    if (run.settled_count > 0) {
+        key("settled_count");
+        json.number(run.settled_count);
+    }
     key("engine");
     json.raw("{\"name\": ");
     json.string(run.engine.name);

@@ -42,7 +42,7 @@ void write_rim(JsonText& json, const Rim& rim) {
     members.string("id", rim.id);
     members.vector("center", rim.center);
     members.number("radius", rim.radius);
-    members.string("law", "capture");
+    members.string("law", to_string(rim.law));
     members.close();
 }
 
@@ -115,10 +115,13 @@ void write_impacts(JsonText& json, const Scene& scene) {
     write_ball_ball(json, scene.impacts.ball_ball);
     members.key("ball_cushion");
     write_ball_cushion(json, scene.impacts.ball_cushion);
-    members.string("simultaneous", "sequential");
+    members.string("simultaneous", scene.impacts.simultaneous == Simultaneous::symmetric
+                                       ? "symmetric"
+                                       : "sequential");
     if (!std::holds_alternative<UniformMotion>(scene.motion)) {
         members.number("contact_time", scene.impacts.contact_time);
     }
+    if (scene.impacts.rest_speed) members.number("rest_speed", *scene.impacts.rest_speed);
     members.close();
 }
 

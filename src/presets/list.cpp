@@ -61,6 +61,18 @@ constexpr std::array kPresets{
             "balls (100), packing (0.3, up to 0.6), speed (1), restitution (1), seed (1)"},
            make_gas,
            nullptr},
+    Preset{{"stage-funnel", "a hall that narrows towards its hole, with posts in the way",
+            "speed (3), restitution (0.8)"},
+           make_stage_funnel,
+           nullptr},
+    Preset{{"stage-islands", "a bent room with islands and three holes",
+            "speed (4), restitution (0.8)"},
+           make_stage_islands,
+           nullptr},
+    Preset{{"stage-bumpers", "an octagon of bumpers with four holes and one heavy ball",
+            "speed (5), restitution (0.9)"},
+           make_stage_bumpers,
+           nullptr},
 };
 
 constexpr auto kInfos = [] {

@@ -13,6 +13,10 @@ namespace osculo::presets {
 [[nodiscard]] Scene make_frictionless_break(const Parameters& parameters);
 [[nodiscard]] Scene make_gas(const Parameters& parameters);
 
+[[nodiscard]] Scene make_stage_funnel(const Parameters& parameters);
+[[nodiscard]] Scene make_stage_islands(const Parameters& parameters);
+[[nodiscard]] Scene make_stage_bumpers(const Parameters& parameters);
+
 [[nodiscard]] Shot break_shot(const Parameters& parameters);
 [[nodiscard]] Shot nine_ball_shot(const Parameters& parameters);
 [[nodiscard]] Shot snooker_break_shot(const Parameters& parameters);

@@ -88,6 +88,35 @@ void play(const char* name, std::uint64_t seed, double restitution) {
     run(name, restitution, std::move(scene));
 }
 
+/// A rack without gaps, broken in a box: what touches is resolved at once.
+template <math::Scalar S>
+void play_rack(const char* name, std::uint64_t seed, double restitution) {
+    using Type = engine::UniformScene<S, engine::Table, engine::NoRecorder, engine::AllPairs,
+                                      impact::Symmetric>;
+    using Vec = math::Vec<S>;
+    engine::SceneData<Type> scene;
+    const auto ball = [&](const Vec& place, const Vec& velocity) {
+        engine::Body<Type> body;
+        body.state.position = math::WidePoint<S>(place);
+        body.state.velocity = velocity;
+        body.radius = S(0.03125);
+        scene.bodies.push_back(body);
+    };
+    ball(Vec(S(0.25), S(0.5)), Vec(S(1), S(0.2 * next(seed) - 0.1)));
+    const S row_step = math::square_root<S>(S(3)) / S(32);
+    for (int row = 0; row < 5; ++row) {
+        for (int place = 0; place <= row; ++place) {
+            ball(Vec(S(0.5) + S(row) * row_step, S(0.5) + S(2 * place - row) / S(32)),
+                 Vec(S(0), S(0)));
+        }
+    }
+    scene.ball_ball_restitution = S(restitution);
+    scene.ball_cushion_restitution = S(restitution);
+    scene.rest_speed = S(1e-6);
+    add_table(scene);
+    run(name, restitution, std::move(scene));
+}
+
 /// The same on a cloth with friction everywhere, one of the balls struck by a cue.
 template <math::Scalar S>
 void play_cloth(const char* name, std::uint64_t seed) {
@@ -157,6 +186,8 @@ int main() {
             play<double>("double", seed, restitution);
             play<long double>("long double", seed, restitution);
             play<math::Quad>("quad", seed, restitution);
+            play_rack<double>("rack double", seed, restitution);
+            play_rack<long double>("rack long double", seed, restitution);
         }
         play_cloth<float>("cloth float", seed);
         play_cloth<double>("cloth double", seed);

@@ -63,6 +63,26 @@ TYPED_TEST(AuditOfScalar, MeasuresInTheRoundingOfTheScalar) {
     EXPECT_LT(audit.largest_energy_gain, 20 * epsilon);
 }
 
+// The slower of the two is not what resolves their gap: where each of them is has the rounding of
+// its own speed times the instant.
+TYPED_TEST(AuditOfScalar, AllowsFastBallsTheResolutionOfWhereTheyAre) {
+    using S = TypeParam;
+    using V = math::Vec<S>;
+    for (const bool fast_first : {true, false}) {
+        Builder<TableScene<S>> builder;
+        builder.wall(V(S(0), S(9)), V(S(0), S(-9)), true);
+        const auto add = [&](bool fast) {
+            fast ? builder.ball(V(S(1), S(0)), V(S(0), S(0)), S(0.5), S(1))
+                 : builder.ball(V(S(4), S(0)), V(S(-1), S(0)), S(0.5), S(1e15));
+        };
+        add(fast_first);
+        add(!fast_first);
+        const auto played = play<TableScene<S>>(builder.scene, S(1e3), 1000);
+        EXPECT_EQ(played.events, 1000u);
+        EXPECT_TRUE(played.audit().clean) << describe(played.audit());
+    }
+}
+
 TEST(Audit, ReportsTheSmallestGapWhenNothingTouches) {
     Builder<Scene> builder;
     builder.ball({0, 0}, {1, 0}, 1).ball({10, 5}, {-1, 0}, 2).ball({5, -40}, {0, 0}, 3);

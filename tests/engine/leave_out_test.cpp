@@ -43,6 +43,22 @@ TEST(LeaveOut, RecorderAndObstaclesCostWhatTheyHold) {
     EXPECT_LE(sizeof(AllPairs<double>), 8u);
 }
 
+TEST(LeaveOut, ClustersCostNothingWhereTheyAreNotResolvedTogether) {
+    EXPECT_TRUE((std::is_empty_v<engine::ClusterWorkspace<Narrowest>>));
+    using Symmetric = UniformScene<double, NoObstacles, NoRecorder, AllPairs, impact::Symmetric>;
+    EXPECT_LE(sizeof(engine::SceneData<Symmetric>),
+              sizeof(engine::SceneData<Narrowest>) + sizeof(double));
+    EXPECT_EQ(sizeof(engine::Body<Symmetric>), sizeof(engine::Body<Narrowest>));
+    // Which cluster an event belongs to has room beside its balls.
+    struct WithoutCluster {
+        math::Instant<double> when;
+        std::uint32_t what[3];
+        math::Vec<double> normal;
+        std::array<engine::Moment<double>, 4> of;
+    };
+    EXPECT_EQ(sizeof(engine::EventRecord<double>), sizeof(WithoutCluster));
+}
+
 TEST(LeaveOut, AnEngineWithoutRecorderIsNoLargerThanItsParts) {
     constexpr std::size_t kParts = sizeof(engine::SceneData<Narrowest>) +
                                    sizeof(engine::EventQueue<double>) + sizeof(AllPairs<double>) +
@@ -118,6 +134,23 @@ TEST(LeaveOut, NoObstaclesAndUnusedOnesAgree) {
         fill(wide);
         EXPECT_TRUE(same_bits(play(narrow.scene, 100), play(wide.scene, 100))) << "seed " << seed;
     }
+}
+
+// Where nothing meets two things at once, both laws are the same, bit for bit.
+TEST(LeaveOut, WithoutClustersTheLawForThemDoesNotMatter) {
+    std::uint64_t events = 0;
+    for (std::uint64_t seed = 0; seed < 300; ++seed) {
+        const auto sequential = play(random_table<TableScene<double>>(seed, {}).scene, 20, 300);
+        const auto symmetric = play(random_table<SymmetricTable<double>>(seed, {}).scene, 20, 300);
+        const auto& all = symmetric.record.events;
+        if (!std::all_of(all.begin(), all.end(),
+                         [](const auto& event) { return event.cluster.number == 0; })) {
+            continue;
+        }
+        EXPECT_TRUE(same_bits(sequential, symmetric)) << "seed " << seed;
+        events += symmetric.events;
+    }
+    EXPECT_GT(events, 20000u);
 }
 
 }  // namespace

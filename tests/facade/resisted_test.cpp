@@ -120,6 +120,32 @@ TEST(ResistedScene, LinearDragAloneComesNearToItsEnd) {
     EXPECT_NEAR(run.balls[0].state.position.x, 4 * (1 - std::exp(-15)), 1e-14);
 }
 
+/// Nothing hangs and nothing is NaN, whatever the orders of magnitude.
+TEST(ResistedScene, ExtremesEnd) {
+    for (const double speed : {1e-300, 1e-160, 1e-20, 1.0, 1e10, 1e30}) {
+        for (const double constant : {0.0, 1e-30, 1.0, 1e30}) {
+            for (const double linear : {0.0, 1e-30, 1e30}) {
+                for (const double quadratic : {0.0, 1e-30, 1e30}) {
+                    Scene scene = one_ball({constant, linear, quadratic, {}}, speed);
+                    test::add_box(scene, 4, 4);
+                    scene.balls[0].position = {1, 1.5};
+                    scene.balls[0].velocity = {speed, speed / 3};
+                    scene.balls.push_back(test::ball("b", {3, 2}, {-speed, 0}, 0.25));
+                    scene.limits.events = 1000;
+                    const auto run = simulate(scene);
+                    for (const FinalBall& ball : run.balls) {
+                        const auto& [place, velocity, spin] = ball.state;
+                        if (run.status == Status::numeric) continue;
+                        ASSERT_TRUE(std::isfinite(place.x + velocity.x)) << speed;
+                        ASSERT_TRUE(place.x > 0 && place.x < 4 && place.y > 0 && place.y < 4)
+                            << speed << " " << constant << " " << linear << " " << quadratic;
+                    }
+                }
+            }
+        }
+    }
+}
+
 TEST(ResistedScene, ThePiecesOfWiderTypesAgree) {
     Scene scene = one_ball({0.1, 0.05, 0.2, {}}, 3);
     test::add_box(scene, 2, 2);

@@ -75,14 +75,25 @@ TEST(Simulate, RecordsWhatIsAskedFor) {
 TEST(Simulate, NarrowAndWideEnginesAgree) {
     for (unsigned seed = 0; seed < 50; ++seed) {
         Scene scene = random_scene(seed, 3);
+        scene.impacts.simultaneous = Simultaneous::sequential;
         const auto walls = simulate(scene);
-        EXPECT_EQ(walls.engine.name, "uniform/restitution/segments+points/double/pieces/all-pairs");
+        EXPECT_EQ(walls.engine.name,
+                  "uniform/restitution/sequential/segments+points/double/pieces/all-pairs");
         scene.rims.push_back({"far", {1000, 1000}, 1});
         const auto table = simulate(scene);
         EXPECT_EQ(table.engine.name,
-                  "uniform/restitution/rims+segments+arcs+points/double/pieces/all-pairs");
+                  "uniform/restitution/sequential/rims+segments+arcs+points/double/pieces/"
+                  "all-pairs");
         expect_same(walls, table);
         EXPECT_EQ(walls.events, table.events);
+        // Where nothing meets two things at once, neither does the law for that change a bit.
+        scene.impacts.simultaneous = Simultaneous::symmetric;
+        const auto symmetric = simulate(scene);
+        EXPECT_EQ(symmetric.engine.name,
+                  "uniform/restitution/symmetric/rims+segments+arcs+points/double/pieces/"
+                  "all-pairs");
+        expect_same(symmetric, table);
+        EXPECT_EQ(symmetric.events, table.events);
         // Balls that never move switch to the grid.
         for (int i = 0; i < 64; ++i) {
             scene.balls.push_back(
@@ -90,7 +101,8 @@ TEST(Simulate, NarrowAndWideEnginesAgree) {
         }
         const auto grid = simulate(scene);
         EXPECT_EQ(grid.engine.name,
-                  "uniform/restitution/rims+segments+arcs+points/double/pieces/cell-grid");
+                  "uniform/restitution/symmetric/rims+segments+arcs+points/double/pieces/"
+                  "cell-grid");
         EXPECT_EQ(grid.events, table.events);
     }
 }
@@ -98,9 +110,60 @@ TEST(Simulate, NarrowAndWideEnginesAgree) {
 TEST(Simulate, OpenSceneLeavesOutObstacles) {
     Scene scene;
     scene.balls = {test::ball("a", {0, 0}, {1, 0}), test::ball("b", {3, 0})};
+    scene.impacts.simultaneous = Simultaneous::sequential;
     const EngineInfo info = choose_engine(scene);
-    EXPECT_EQ(info.name, "uniform/restitution/open/double/pieces/all-pairs");
+    EXPECT_EQ(info.name, "uniform/restitution/sequential/open/double/pieces/all-pairs");
     EXPECT_GE(info.left_out.size(), 4U);
+}
+
+// Scenes resolve what touches together unless they say otherwise.
+TEST(Simulate, SymmetricImpactsAreTheDefault) {
+    Scene scene;
+    scene.balls = {test::ball("cue", {-3, 0}, {1, 0}), test::ball("up", {0, 1}),
+                   test::ball("down", {0, -1})};
+    for (Ball& ball : scene.balls) ball.radius = 1;
+    scene.limits.time = 3;
+    const auto run = simulate(scene, {.audit = true});
+    EXPECT_TRUE(run.audit->clean);
+    EXPECT_NEAR(run.balls[0].state.velocity.x, -0.2, 1e-14);  // NUMERICS 4.2, T5
+    EXPECT_NEAR(run.balls[0].state.velocity.y, 0, 1e-14);
+    EXPECT_NEAR(run.balls[1].state.velocity.y, std::sqrt(3) / 5, 1e-14);
+    ASSERT_EQ(run.events.size(), 2U);
+    for (const Event& event : run.events) {
+        EXPECT_EQ(event.cluster, 1U);
+        EXPECT_FALSE(event.well_posed);
+    }
+    for (const Precision precision :
+         {Precision::extended, Precision::quad, Precision::digits50, Precision::digits100}) {
+        const auto wider = simulate(scene, {.precision = precision});
+        EXPECT_NEAR(wider.balls[0].state.velocity.x, -0.2, 1e-15);
+    }
+    scene.impacts.simultaneous = Simultaneous::sequential;
+    const auto sequential = simulate(scene);
+    EXPECT_NEAR(sequential.balls[0].state.velocity.x, -0.125, 1e-14);
+    EXPECT_EQ(sequential.events.front().cluster, 0U);
+}
+
+TEST(Simulate, WhatIsSlowerThanTheRestSpeedDoesNotBounce) {
+    Scene scene;
+    for (int k = 0; k < 15; ++k) {
+        scene.balls.push_back(test::ball(std::string("b").append(std::to_string(k + 10)),
+                                         {2.001 * k, 0}, {k == 0 ? 1.0 : 0.0, 0}));
+        scene.balls.back().radius = 1;
+    }
+    scene.impacts.ball_ball.restitution = 0.5;
+    const auto run = simulate(scene, {.audit = true});
+    EXPECT_TRUE(run.audit->clean);
+    EXPECT_GT(run.settled_count, 10U);
+    EXPECT_LT(run.settled_count, run.event_count);
+    EXPECT_LT(run.event_count, 4000U);
+    // The same as what is derived from the fastest ball.
+    scene.impacts.rest_speed = Impacts::kRestShare;
+    EXPECT_EQ(simulate(scene).events, run.events);
+    scene.impacts.rest_speed = 0;
+    const auto bouncing = simulate(scene);
+    EXPECT_EQ(bouncing.settled_count, 0U);
+    EXPECT_GT(bouncing.event_count, run.event_count);
 }
 
 // Reversing the order in which a file lists things changes nothing but the order.

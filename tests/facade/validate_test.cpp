@@ -58,6 +58,13 @@ TEST(Validate, NamesFieldRuleAndValue) {
         {"balls[1].id", "unique", [](Scene& s) { s.balls[1].id = "a"; }},
         {"segments[0].id", "unique, and balls[0] has it", [](Scene& s) { s.segments[0].id = "a"; }},
         {"balls[0].id", "empty", [](Scene& s) { s.balls[0].id = ""; }},
+        {"impacts.rest_speed", "finite", [](Scene& s) { s.impacts.rest_speed = kInfinity; }},
+        {"impacts.rest_speed", "not negative", [](Scene& s) { s.impacts.rest_speed = -1e-9; }},
+        {"impacts.rest_speed", "symmetric",
+         [](Scene& s) {
+             s.impacts.rest_speed = 1e-6;
+             s.impacts.simultaneous = Simultaneous::sequential;
+         }},
         {"balls[0].mass", "> 0", [](Scene& s) { s.balls[0].mass = -1; }},
         {"balls[0].mass", "> 0", [](Scene& s) { s.balls[0].mass = kNan; }},
         {"balls[0].mass", "1e100", [](Scene& s) { s.balls[0].mass = 1e300; }},

@@ -95,11 +95,34 @@ void add_box(Scene& scene, double size) {
     }
 }
 
+/// Friction without a cloth.
+void make_discs(Choices& choices, Scene& scene) {
+    scene.impacts.ball_ball.law = BallBallLaw::frictional;
+    scene.impacts.ball_ball.friction = {choices.one_of(kFrictions), 0, 0};
+    if (choices.below(2) == 0) {
+        scene.impacts.ball_cushion.law = CushionLaw::frictional;
+        scene.impacts.ball_cushion.friction = choices.one_of(kFrictions);
+    }
+    for (Ball& ball : scene.balls) {
+        ball.spin = {0, 0, choices.one_of(kSpeeds)};
+        ball.inertia = choices.one_of(std::array{0.4, 0.5, 1.0, 1e-3});
+    }
+}
+
 void choose_laws(Choices& choices, Scene& scene) {
     scene.impacts.ball_ball.restitution = choices.one_of(kRestitutions);
     scene.impacts.ball_cushion.restitution = choices.one_of(kRestitutions);
-    switch (choices.below(4)) {
+    if (choices.below(3) == 0) scene.impacts.simultaneous = Simultaneous::sequential;
+    switch (choices.below(6)) {
         case 0: scene.motion = RollingMotion{choices.one_of(kFrictions)}; break;
+        case 2:
+            scene.motion = ResistedMotion{choices.one_of(kFrictions),
+                                          choices.one_of(kFrictions),
+                                          choices.one_of(kFrictions),
+                                          {}};
+            if (choices.below(2) == 0) make_discs(choices, scene);
+            break;
+        case 3: make_discs(choices, scene); break;
         case 1: {
             scene.motion = ClothMotion{choices.one_of(kFrictions), choices.one_of(kFrictions),
                                        choices.one_of(kFrictions)};

@@ -19,6 +19,7 @@ Scene shot() {
     scene.impacts.ball_ball = {BallBallLaw::frictional, 0.95, {0.009951, 0.108, 1.088}};
     scene.impacts.ball_cushion = {CushionLaw::han_2005, 0.85, 0.2, 0.036576};
     scene.impacts.contact_time = 2e-4;
+    scene.impacts.rest_speed = 1e-5;
     Cue cue;
     cue.ball = "cue";
     cue.speed = 2.5;

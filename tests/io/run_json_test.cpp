@@ -12,9 +12,10 @@ namespace {
 
 bool equal(const osculo::Run& a, const osculo::Run& b) {
     return a.scene == b.scene && a.status == b.status && a.time == b.time &&
-           a.event_count == b.event_count && a.engine == b.engine && a.points == b.points &&
-           a.events == b.events && a.pieces == b.pieces && a.balls == b.balls &&
-           a.audit == b.audit && a.certificate == b.certificate;
+           a.event_count == b.event_count && a.settled_count == b.settled_count &&
+           a.engine == b.engine && a.points == b.points && a.events == b.events &&
+           a.pieces == b.pieces && a.balls == b.balls && a.audit == b.audit &&
+           a.certificate == b.certificate;
 }
 
 // A small run with one of everything, made by hand.
@@ -27,6 +28,7 @@ osculo::Run small_run() {
     run.status = Status::event_limit;
     run.time = 4;
     run.event_count = 3;
+    run.settled_count = 2;
     run.engine = {"test", {"nothing"}};
     run.points = {"wall.from", "wall.to"};
     const BallState moving{{2, 0}, {1, 0}, {}};
@@ -35,6 +37,8 @@ osculo::Run small_run() {
         {2, 1e-17, EventKind::ball_ball, 0, 1, {2.5, 0}, {1, 0}, {moving, still}, {still, moving}});
     run.events.push_back(
         {2.5, 0, EventKind::ball_point, 1, 1, {5, 1}, {0.6, 0.8}, {moving, {}}, {still, {}}});
+    run.events[0].cluster = run.events[1].cluster = 1;
+    run.events[0].well_posed = run.events[1].well_posed = false;
     run.events.push_back(
         {3, 0, EventKind::capture, 0, 0, {-2, 0}, {-1, 0}, {moving, {}}, {moving, {}}});
     run.pieces.push_back({0, 0, 0, 2, 1e-17, {0, 0}, {0, -1e-18}, {1, 0}, {}});
@@ -55,6 +59,7 @@ TEST(RunJson, IsWrittenAsDocumented) {
   "status": "event_limit",
   "time": 4,
   "event_count": 3,
+  "settled_count": 2,
   "engine": {"name": "test", "left_out": [
     "nothing"
   ]},
@@ -82,8 +87,8 @@ TEST(RunJson, IsWrittenAsDocumented) {
   ],
   "points": ["wall.from", "wall.to"],
   "events": [
-    {"time": 2, "time_low": 1e-17, "kind": "ball_ball", "ids": ["a", "b"], "point": [2.5, 0], "normal": [1, 0], "before": [{"position": [2, 0], "velocity": [1, 0]}, {"position": [3, 0], "velocity": [0, 0], "spin": [0, 0, 7]}], "after": [{"position": [3, 0], "velocity": [0, 0], "spin": [0, 0, 7]}, {"position": [2, 0], "velocity": [1, 0]}]},
-    {"time": 2.5, "kind": "ball_point", "ids": ["b", "wall.to"], "point": [5, 1], "normal": [0.6, 0.8], "before": [{"position": [2, 0], "velocity": [1, 0]}], "after": [{"position": [3, 0], "velocity": [0, 0], "spin": [0, 0, 7]}]},
+    {"time": 2, "time_low": 1e-17, "kind": "ball_ball", "ids": ["a", "b"], "point": [2.5, 0], "normal": [1, 0], "cluster": 1, "well_posed": false, "before": [{"position": [2, 0], "velocity": [1, 0]}, {"position": [3, 0], "velocity": [0, 0], "spin": [0, 0, 7]}], "after": [{"position": [3, 0], "velocity": [0, 0], "spin": [0, 0, 7]}, {"position": [2, 0], "velocity": [1, 0]}]},
+    {"time": 2.5, "kind": "ball_point", "ids": ["b", "wall.to"], "point": [5, 1], "normal": [0.6, 0.8], "cluster": 1, "well_posed": false, "before": [{"position": [2, 0], "velocity": [1, 0]}], "after": [{"position": [3, 0], "velocity": [0, 0], "spin": [0, 0, 7]}]},
     {"time": 3, "kind": "capture", "ids": ["a", "hole"], "point": [-2, 0], "normal": [-1, 0], "before": [{"position": [2, 0], "velocity": [1, 0]}], "after": [{"position": [2, 0], "velocity": [1, 0]}]}
   ],
   "pieces": [
@@ -221,6 +226,8 @@ TEST(RunJson, ErrorsHavePaths) {
               "balls[0].mass: must be > 0, but it is -1");
     EXPECT_EQ(error_after_replacing("\"mass\": 1,", "\"mass\": \"x\","),
               "scene.balls[0].mass: must be a number, but it is \"x\"");
+    EXPECT_EQ(error_after_replacing("\"cluster\": 1", "\"cluster\": 0"),
+              "events[0].cluster: must be from 1 to 4294967295, but it is 0");
     EXPECT_EQ(error_after_replacing("\"kisses\": 0", "\"kises\": 0"),
               "outcome.kises: unknown key, did you mean kisses?");
     EXPECT_EQ(error_after_replacing("\"kisses\": 0", "\"kisses\": 1"),

@@ -97,7 +97,7 @@ TEST(SceneJson, IsWrittenAsDocumented) {
   "rims": [
     {"id": "hole", "center": [-4, 0], "radius": 1, "law": "capture"}
   ],
-  "impacts": {"ball_ball": {"law": "restitution", "restitution": 1}, "ball_cushion": {"law": "restitution", "restitution": 0.85}, "simultaneous": "sequential"},
+  "impacts": {"ball_ball": {"law": "restitution", "restitution": 1}, "ball_cushion": {"law": "restitution", "restitution": 0.85}, "simultaneous": "symmetric"},
   "closed": false,
   "limits": {"time": 2.5, "events": 100}
 }

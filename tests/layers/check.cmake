@@ -45,6 +45,7 @@ only_in("boost/heap" "engine/queue\\.hpp$")
 only_in("nlohmann" "/src/io/")
 only_in("CLI/" "/src/cli/")
 only_in("fmt/" "/src/cli/")
+only_in("pybind11" "/src/python/")
 only_in("zip\\.h" "/src/cli/")
 only_in("Random123/" "/src/facade/noise\\.cpp$")
 

@@ -11,9 +11,14 @@
 /// Scenes for tests, straight from the template core.
 namespace osculo::support {
 
-/// What most tests run: every kind of obstacle, everything recorded, no grid.
+/// What most tests run: every kind of obstacle, everything recorded, no grid. Impacts at one
+/// instant are resolved pair by pair or
+template <math::Scalar S, class Simultaneous = impact::Sequential>
+using TableScene =
+    engine::UniformScene<S, engine::Table, engine::PieceRecorder, engine::AllPairs, Simultaneous>;
+/// all at once.
 template <math::Scalar S>
-using TableScene = engine::UniformScene<S, engine::Table, engine::PieceRecorder, engine::AllPairs>;
+using SymmetricTable = TableScene<S, impact::Symmetric>;
 
 /// Puts scenes together, of whatever scene type has a place for what is added.
 template <class Type>

@@ -15,20 +15,20 @@ requires motion::CertifiedPath<Path, S>
     const FromPoint<S, Path> from{path, arc.center};
     const LocalParabola<S> start = from.parabola(S(0));
     const bool starts_outside = detail::is_outside<S>(start.c, arc.radius);
-    const S last =
-        certified_last<S>(path.end, horizon, S(math::norm1<S>(start.c) + arc.radius + radius),
-                          math::norm1<S>(start.b));
+    const S last = certified_last<S>(path.end, S(math::norm1<S>(start.c) + arc.radius + radius),
+                                     math::norm1<S>(start.b));
     const auto covered = [&](const S& t) { return arc.covers(from.at(t).position.rounded()); };
     const auto first = [&](const S& circle, bool outwards, const S& until) {
         const CircleCrossing<FromPoint<S, Path>> crossing{from, circle, outwards};
         const bool past = starts_outside == outwards;
         const bool touching = !past && detail::only_touches(crossing, history);
-        return detail::first_accepted(crossing, past, until, touching, covered);
+        return detail::first_accepted(crossing, past, last, until, touching, history.noise,
+                                      covered);
     };
-    const S best = first(S(arc.radius + radius), false, last);
+    const S best = first(S(arc.radius + radius), false, beyond<S>(horizon));
     const S room = arc.radius - radius;
     if (!(room > S(0)) || (arc.full && starts_outside)) return best;
-    const S t = first(room, true, std::min<S>(last, best));
+    const S t = first(room, true, std::min<S>(beyond<S>(horizon), best));
     return math::is_finite<S>(t) ? t : best;
 }
 

@@ -17,21 +17,22 @@ requires motion::CertifiedPath<Path, S>
     const LocalParabola<S> start = from.parabola(S(0));
     const S side = math::accurate_dot<S>(start.c, segment.normal);
     const S speed = math::norm1<S>(start.b);
-    S last = certified_last<S>(path.end, horizon, S(math::norm1<S>(start.c) + radius), speed);
+    const S last = certified_last<S>(path.end, S(math::norm1<S>(start.c) + radius), speed);
     S best = math::never<S>();
+    S until = beyond<S>(horizon);
     for (const bool left : {true, false}) {
         if (!left && segment.one_sided) break;
         const math::Vec<S> normal = left ? segment.normal : math::Vec<S>(-segment.normal);
         const bool starts_here = left ? side >= S(0) : side < S(0);
         const LineCrossing<FromPoint<S, Path>> crossing{from, normal, radius, false};
         const bool touching = starts_here && detail::only_touches(crossing, history);
-        const S t =
-            detail::first_accepted(crossing, !starts_here, last, touching, [&](const S& at) {
+        const S t = detail::first_accepted(
+            crossing, !starts_here, last, until, touching, history.noise, [&](const S& at) {
                 const S foot = math::dot<S>(from.at(at).position.rounded(), segment.tangent);
                 return foot >= S(0) && foot <= segment.length;
             });
         if (!math::is_finite<S>(t)) continue;
-        best = last = t;
+        best = until = t;
     }
     return best;
 }

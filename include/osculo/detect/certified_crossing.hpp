@@ -48,11 +48,12 @@ template <math::Scalar S>
     return {p.x - q.x, p.y - q.y};
 }
 
-/// Rounding of a place on a path that started at [start].
-template <math::Scalar S>
-[[nodiscard]] S path_blur(const math::WidePoint<S>& place, const math::WidePoint<S>& start) {
-    return S(math::kPathNoise) * math::epsilon<S>() *
-           math::norm1<S>(math::difference<S>(place, start));
+/// Rounding of a place on a path.
+template <math::Scalar S, class Path>
+[[nodiscard]] S path_blur(const Path& path, const math::WidePoint<S>& place) {
+    S way = math::norm1<S>(math::difference<S>(place, path.position));
+    if constexpr (requires { path.size; }) way = way + path.size;
+    return S(math::kPathNoise) * math::epsilon<S>() * way;
 }
 
 }  // namespace detail
@@ -77,8 +78,8 @@ struct BetweenPaths {
         const math::WidePoint<S> place = detail::wide_difference<S>(one.position, other.position);
         return {place, place.rounded(), one.velocity - other.velocity,
                 one.half_acceleration - other.half_acceleration,
-                S(detail::path_blur<S>(one.position, first.position) +
-                  detail::path_blur<S>(other.position, second.position))};
+                S(detail::path_blur<S>(first, one.position) +
+                  detail::path_blur<S>(second, other.position))};
     }
     [[nodiscard]] S jerk(const S& t, const S& h) const {
         return first.jerk_bound(t, h) + second.jerk_bound(t, h);
@@ -105,7 +106,7 @@ struct FromPoint {
         const motion::ParabolicPath<S> now = path.quadratic(t);
         const math::WidePoint<S> place = math::wide_difference<S>(now.position, point);
         return {place, place.rounded(), now.velocity, now.half_acceleration,
-                detail::path_blur<S>(now.position, path.position)};
+                detail::path_blur<S>(path, now.position)};
     }
     [[nodiscard]] S jerk(const S& t, const S& h) const { return path.jerk_bound(t, h); }
     [[nodiscard]] S speed() const { return math::norm1<S>(path.at(S(0)).velocity); }
@@ -197,7 +198,11 @@ struct LineCrossing {
         const S speed = sign * math::dot<S>(p.b, normal);
         const S pull = sign * math::dot<S>(p.a, normal);
         const S disc = math::difference_of_products<S>(speed, speed, S(4) * pull, gap);
-        if (!(disc > S(0))) return math::never<S>();
+        if (!(disc > S(0))) {
+            // Overlapping by rounding, and pulled back before they part.
+            const S turn = gap < S(0) && pull < S(0) ? S(-speed / (S(2) * pull)) : math::never<S>();
+            return turn <= h ? turn : math::never<S>();
+        }
         const S root = math::square_root<S>(disc);
         S t = math::never<S>();
         if (speed < S(0)) {
@@ -214,7 +219,7 @@ struct LineCrossing {
 
 /// What certified segments come to at most: after so many of them the answer is the time they have
 /// reached, at which a gap that rounding does not explain ends a run as `numeric`.
-inline constexpr int kMostSegments = 1 << 16;
+inline constexpr int kMostSegments = 1 << 13;
 
 namespace detail {
 
@@ -251,13 +256,12 @@ template <class Crossing, class S = typename Crossing::S>
 template <class Motion, class S = typename Motion::Scalar>
 [[nodiscard]] S segment_length(const Motion& motion, const S& t, S rest, const S& margin) {
     const S most = S(6) * margin;
-    while (rest > S(0)) {
+    for (int i = 0; i < 4 * math::ScalarTraits<S>::kDigits; ++i, rest *= S(0.5)) {
         const S jerk = motion.jerk(t, rest);
-        if (jerk * rest * rest * rest <= most) break;
-        rest *= S(0.5);
+        const auto within = [&] { return jerk * rest * rest * rest <= most; };
         if (!math::is_finite<S>(jerk)) continue;
         // What bounds the jerk on a segment bounds it on the first half.
-        while (!(jerk * rest * rest * rest <= most)) rest *= S(0.5);
+        for (; rest > S(0) && !within(); ++i) rest *= S(0.5);
         break;
     }
     return rest;
@@ -276,9 +280,11 @@ template <class Crossing, class S = typename Crossing::S>
 
 }  // namespace detail
 
-/// First t in [from, last] at which the gap, closing, is zero or less, or never(). [touching]: at
-/// `from` they are known to touch, and to part or to be at rest against each other but for
-/// rounding; they meet again when they have parted, or have come nearer by a noticeable amount.
+/// First t in [from, last] at which the gap, closing, is zero or less, or never(), which it may
+/// also be if that is after [horizon]; the horizon changes nothing else. [touching]: at `from` they
+/// are known to touch, and to part or to be at rest against each other but for rounding; they meet
+/// again when they have parted, or have come nearer by a noticeable amount, of what they are now if
+/// they close in at less than the [noise] of their speed.
 ///
 /// Nothing is stepped over but what is less than the rounding of the paths, math::kPathNoise
 /// epsilon of their lengths, and nothing is found that is more than that away. The error of t is
@@ -286,34 +292,32 @@ template <class Crossing, class S = typename Crossing::S>
 /// allocation.
 template <class Crossing, class S = typename Crossing::S>
 [[nodiscard]] S first_certified(const Crossing& crossing, const S& from, const S& last,
-                                bool touching) {
+                                const S& horizon, bool touching, const S& noise = S(0)) {
     const auto& motion = crossing.motion;
     const S noticeable = S(math::kTouch) * math::epsilon<S>() * crossing.scale();
     S t = from;
-    S level(0);
-    bool fresh = true;  // the level has to be set
+    S level = touching ? noticeable : S(0);  // how much deeper than its zero the target is [m]
     for (int n = 0; n < kMostSegments; ++n) {
         const LocalParabola<S> p = motion.parabola(t);
         const GapAt<S> f = crossing.at(p.place, p.b);
+        if (!math::is_finite<S>(f.slope + f.gap + p.blur)) return t;  // out of range
         const bool closing = f.slope < S(0) || (f.slope == S(0) && crossing.bends_down(p));
-        if (f.gap <= S(0) && !closing && !touching) touching = fresh = true;
-        if (touching) {
-            if (fresh) level = std::max<S>(-f.gap, S(0)) + noticeable;
-            if (!fresh && f.gap > S(2) * noticeable) {
-                touching = false;
-                level = S(0);
-            }
-            fresh = false;
+        if (f.gap <= S(0) && !closing) level = noticeable;
+        if (n == 0 && touching && f.gap < S(0) && closing &&
+            -f.slope <= noise * crossing.steepness()) {
+            level = noticeable - f.gap;  // nearer than they are now
         }
+        if (n > 0 && f.gap > S(2) * noticeable) level = S(0);
         const S gap = f.gap + level;
         if (gap <= S(0) && closing) return t;
         const S rest = last - t;
-        if (!(rest > S(0))) return math::never<S>();
+        const S wanted = std::min<S>(rest, horizon - t);
+        if (!(wanted > S(0))) return math::never<S>();
 
         if (n == 0 && gap > S(0)) {
             // Most never come near: one parabola for all the way.
-            const S margin = motion.jerk(t, rest) * rest * rest * rest / S(6);
-            if (margin + p.blur < gap && crossing.certainly_off(p, margin, rest)) {
+            const S margin = motion.jerk(t, wanted) * wanted * wanted * wanted / S(6);
+            if (margin + p.blur < gap && crossing.certainly_off(p, margin, wanted)) {
                 return math::never<S>();
             }
         }
@@ -333,6 +337,7 @@ template <class Crossing, class S = typename Crossing::S>
         const S h = detail::segment_length(motion, t, rest, margin);
         const S wait = crossing.on_parabola(p, S((fine ? S(0) : margin) - level), h);
         const bool off = !math::is_finite<S>(wait);
+        if (!(t + h > t)) return t;  // out of range
         if (fine && !off) return t + wait;
         if (off && h == rest) return math::never<S>();
         t += off ? h : wait;
@@ -345,31 +350,48 @@ namespace detail {
 /// The first such crossing that accept(t) agrees to. What refuses one is past the target, or [past]
 /// it from the start, and has to come back by the [opposite] crossing first.
 template <class Crossing, class Accept, class S = typename Crossing::S>
-[[nodiscard]] S first_accepted(const Crossing& crossing, bool past, const S& last, bool touching,
-                               const Accept& accept) {
+[[nodiscard]] S first_accepted(const Crossing& crossing, bool past, const S& last, const S& horizon,
+                               bool touching, const S& noise, const Accept& accept) {
     Crossing opposite = crossing;
     opposite.outwards = !crossing.outwards;
     S t(0);
+    if (!past) {  // inside of a circle by its opening, or beside the end of a line?
+        const motion::PathPoint<S> start = crossing.motion.at(t);
+        const S deep = S(2 * math::kTouch) * math::epsilon<S>() * crossing.scale();
+        past = crossing.at(start.position, start.velocity).gap < -deep && !accept(t);
+    }
     for (;; past = touching = true) {
         if (past) {
-            t = first_certified(opposite, t, last, touching);
+            t = first_certified(opposite, t, last, horizon, touching);
             if (!math::is_finite<S>(t)) return t;
             touching = true;
         }
-        t = first_certified(crossing, t, last, touching);
+        t = first_certified(crossing, t, last, horizon, touching, noise);
         if (!math::is_finite<S>(t) || accept(t)) return t;
     }
 }
 
 }  // namespace detail
 
-/// Until when contacts of paths without an end are looked for: until a ball as fast as they are at
-/// the start would have gone 2^60 times the distance [m]. Others until the [end] of the first.
+/// A little more than a horizon: what comes at it, but for rounding, is found from every start.
+/// Times err by more than those of polynomials.
 template <math::Scalar S>
-[[nodiscard]] S certified_last(const S& end, const S& horizon, const S& distance, const S& speed) {
-    const S last = std::min<S>(end, horizon);
-    if (math::is_finite<S>(last)) return last;
-    return speed > S(0) ? S(S(0x1p60) * distance / speed) : S(0);
+[[nodiscard]] S beyond(const S& horizon) {
+    return horizon * S(1.0009765625);
+}
+
+/// Until when contacts of paths without an end are looked for: until a ball as fast as they are at
+/// the start would have gone 2^60 times the distance [m], or once if there is no such time. Others
+/// until the [end] of the first.
+template <math::Scalar S>
+[[nodiscard]] S certified_last(const S& end, const S& distance, const S& speed) {
+    if (math::is_finite<S>(end)) return end;
+    if (!(speed > S(0))) return S(0);
+    for (const S& factor : {S(0x1p60), S(1)}) {
+        const S time = factor * (distance / speed);
+        if (math::is_finite<S>(time)) return time;
+    }
+    return S(0);
 }
 
 namespace detail {
@@ -378,13 +400,14 @@ namespace detail {
 template <math::Scalar S, class Crossing>
 [[nodiscard]] S first_certified_contact(const Crossing& crossing, const S& end,
                                         const math::ContactHistory<S>& history, const S& horizon) {
-    S last = std::min<S>(end, horizon);
+    S last = end;
     if (!math::is_finite<S>(last)) {
         const LocalParabola<S> p = crossing.motion.parabola(S(0));
-        last = certified_last<S>(end, horizon, S(math::norm1<S>(p.c) + crossing.scale()),
+        last = certified_last<S>(end, S(math::norm1<S>(p.c) + crossing.scale()),
                                  crossing.motion.speed());
     }
-    return first_certified(crossing, S(0), last, only_touches(crossing, history));
+    return first_certified(crossing, S(0), last, beyond<S>(horizon),
+                           only_touches(crossing, history), history.noise);
 }
 
 }  // namespace detail

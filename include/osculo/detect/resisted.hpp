@@ -30,8 +30,9 @@ template <math::Scalar S, class Obstacle>
                                     const Obstacle& obstacle,
                                     const math::ContactHistory<S>& history, const S& horizon) {
     const motion::LinearPath<S> line{path.position, path.velocity};
-    return time_on<S>(path, detect::first_contact<S>(line, radius, obstacle, history,
-                                                     std::min<S>(horizon, path.longest)));
+    return time_on<S>(path,
+                      detect::first_contact<S>(line, radius, obstacle, history,
+                                               std::min<S>(beyond<S>(horizon), path.longest)));
 }
 
 }  // namespace detail
@@ -72,9 +73,10 @@ template <math::Scalar S>
                               const math::ContactHistory<S>& history, const S& horizon) {
     if (first.stands() || second.stands() || first.slowing == second.slowing) {
         const motion::ResistedPath<S>& path = second.stands() ? first : second;
-        const S sigma = math::first_entry<S>(math::difference<S>(first.position, second.position),
-                                             math::Vec<S>(first.velocity - second.velocity), reach,
-                                             history, std::min<S>(horizon, path.longest));
+        const S sigma =
+            math::first_entry<S>(math::difference<S>(first.position, second.position),
+                                 math::Vec<S>(first.velocity - second.velocity), reach, history,
+                                 std::min<S>(beyond<S>(horizon), path.longest));
         return detail::time_on<S>(path, sigma);
     }
     using Motion = BetweenPaths<S, motion::ResistedPath<S>, motion::ResistedPath<S>>;

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <span>
+
 #include "osculo/engine/audit/gaps.hpp"
 #include "osculo/engine/audit/histories.hpp"
 #include "osculo/engine/audit/impacts.hpp"
@@ -53,9 +55,15 @@ template <class Type>
     if (!record.events.empty()) {
         result.largest_energy_gain = -std::numeric_limits<double>::infinity();
     }
-    for (const EventOf<Type>& event : record.events) {
-        impacts.check(event, result);
-        histories.follow(event, result);
+    for (std::size_t k = 0; k < record.events.size();) {
+        std::size_t end_of_cluster = k + 1;
+        const std::uint32_t cluster = record.events[k].cluster.number;
+        while (cluster != 0 && end_of_cluster < record.events.size() &&
+               record.events[end_of_cluster].cluster.number == cluster) {
+            ++end_of_cluster;
+        }
+        impacts.check(std::span(record.events).subspan(k, end_of_cluster - k), result);
+        for (; k < end_of_cluster; ++k) histories.follow(record.events[k], result);
     }
     if (std::isinf(result.largest_energy_gain) && result.largest_energy_gain < 0) {
         result.largest_energy_gain = 0;  // events without motion
@@ -63,10 +71,17 @@ template <class Type>
     histories.finish(bodies, end, result);
     detail::GapAudit<Type>(scene, path, result).check(record.pieces);
 
-    const auto energy = [](const std::vector<Body<Type>>& of) {
+    const auto energy = [&](const std::vector<Body<Type>>& of) {
         S sum{0};
         for (const Body<Type>& body : of) {
-            sum = sum + body.mass * twice_energy_per_mass<S>(body.state) / S(2);
+            auto state = body.state;
+            if constexpr (kHasRims<typename Type::Motion>) {
+                // One that is not yet known to be in a rim.
+                if (state.rim == Type::Motion::kUnknown) {
+                    Type::Motion::template begin<S>(scene.motion, state);
+                }
+            }
+            sum = sum + body.mass * twice_energy_per_mass<S>(state) / S(2);
         }
         return math::to_double<S>(sum);
     };

@@ -3,6 +3,7 @@
 #include <array>
 #include <cstdint>
 #include <initializer_list>
+#include <optional>
 #include <span>
 #include <tuple>
 #include <type_traits>
@@ -10,6 +11,7 @@
 #include <vector>
 
 #include "osculo/engine/broad_phase.hpp"
+#include "osculo/engine/cluster_workspace.hpp"
 #include "osculo/engine/event.hpp"
 #include "osculo/engine/obstacle_boxes.hpp"
 #include "osculo/engine/queue.hpp"
@@ -61,6 +63,10 @@ struct SceneData {
     S ball_cushion_restitution{1};
     [[no_unique_address]] typename Type::MotionParameters motion;
     [[no_unique_address]] FrictionLaws<Type> friction;  ///< where balls have spin
+    /// Contacts that close more slowly do not bounce [m/s], where contacts of one instant are
+    /// resolved together (engine/cluster.hpp).
+    [[no_unique_address]] std::conditional_t<Type::Simultaneous::kGathersCluster, S, Nothing>
+        rest_speed{};
     /// Shortest time between impacts of things that are pressed together [s], for motion with
     /// acceleration (impact/pressing.hpp).
     [[no_unique_address]] std::conditional_t<Type::Motion::kTransitions, S, Nothing> contact_time{};
@@ -107,6 +113,10 @@ public:
         scene_.bodies.assign(bodies.begin(), bodies.end());
         broad_phase_ = typename Type::BroadPhase(scene_.bodies);
         recorder_.clear();
+        if constexpr (Type::Simultaneous::kGathersCluster) {
+            cluster_.number = 0;
+            cluster_.settled = 0;
+        }
         now_ = Instant{S(0)};
         event_count_ = prediction_count_ = 0;
         for (BallIndex i = 0; i < scene_.bodies.size(); ++i) queue_.update(i, Scheduled{});
@@ -130,6 +140,14 @@ public:
     [[nodiscard]] const std::vector<BodyType>& bodies() const { return scene_.bodies; }
     [[nodiscard]] const Instant& time() const { return now_; }
     [[nodiscard]] std::uint64_t event_count() const { return event_count_; }
+    /// Impacts so far that did not bounce because they were slower than the scene's rest_speed.
+    [[nodiscard]] std::uint64_t settled_count() const {
+        if constexpr (Type::Simultaneous::kGathersCluster) {
+            return cluster_.settled;
+        } else {
+            return 0;
+        }
+    }
     /// Predictions of one ball's next event so far: the work done.
     [[nodiscard]] std::uint64_t prediction_count() const { return prediction_count_; }
     [[nodiscard]] typename Type::Recorder& recorder() { return recorder_; }
@@ -140,11 +158,7 @@ private:
     using ObstacleBoxesType = ObstacleBoxes<S, typename Type::ObstacleStorage>;
     using Recorder = typename Type::Recorder;
 
-    struct Contact {
-        Kind kind;
-        BallIndex first;
-        std::uint32_t second;
-    };
+    using Contact = ContactId;
 
     void start();
 
@@ -167,13 +181,31 @@ private:
     void resolve_balls(BodyType& one, BodyType& other, const Vec& normal);  // resolution.hpp
     void resolve_cushion(BodyType& body, const Vec& normal);
     [[nodiscard]] S pressing_time(std::initializer_list<BodyType*> bodies);
+
+    // gathering.hpp, cluster.hpp
+    [[nodiscard]] bool gather(const Contact& contact);
+    void add_member(BallIndex i);
+    void gather_balls(std::size_t m);
+    [[nodiscard]] bool meets_there(std::size_t m, const Vec& normal) const;
+    template <std::size_t K>
+    void gather_obstacles(std::size_t m);
+    [[nodiscard]] bool settles() const;
+    [[nodiscard]] S restitution_of(Kind kind) const;
+    void load_cluster(bool settling);
+    void take_from_law(std::size_t m, typename Type::State& state) const;
+    void part_cluster();
+    [[nodiscard]] bool cause_explained(const Contact& cause) const;
+    [[nodiscard]] std::optional<bool> resolve_cluster(const Contact& cause);
+    void record_cluster(bool well_posed);
+
     [[nodiscard]] bool carry_out(const Scheduled& event);
     [[nodiscard]] bool collide_balls(const Contact& contact);
     template <std::size_t K>
     [[nodiscard]] bool meet_obstacle(const Contact& contact);
     /// Calls f with the compile-time number of the kind of obstacle.
     template <class F>
-    [[nodiscard]] bool visit_kind(Kind kind, F&& f);
+    [[nodiscard]] static bool visit_kind(Kind kind, F&& f);
+    [[nodiscard]] static bool captures(Kind kind);
 
     void advance(BallIndex i);
     void note_impact(BodyType& body, const Vec& before, Kind kind, std::uint32_t other);
@@ -187,6 +219,7 @@ private:
     [[no_unique_address]] ObstacleBoxesType obstacle_boxes_;
     [[no_unique_address]] typename Type::BroadPhase broad_phase_;
     std::vector<Box> swept_;  ///< around what each ball covers before its next event
+    [[no_unique_address]] ClusterWorkspace<Type> cluster_;
     [[no_unique_address]] Recorder recorder_;
     Instant now_{S(0)};
     std::uint64_t event_count_ = 0;
@@ -262,25 +295,36 @@ bool Engine<Type>::visit_kind(Kind kind, F&& f) {
 /// False if the event could not be resolved in this scalar type.
 template <class Type>
 bool Engine<Type>::carry_out(const Scheduled& event) {
-    std::array<Contact, 1> cluster{Contact{event.kind, event.first, event.second}};
-    bool sound = true;
     if constexpr (Type::Motion::kTransitions) {
         if (event.kind == kTransition) {
             change_phase(event.first);
+            if constexpr (kHasRims<typename Type::Motion>) {
+                return !scene_.bodies[event.first].state.lost;
+            }
             return true;
         }
     }
-    Type::Simultaneous::resolve(cluster, [&](const Contact& contact) {
-        if (contact.kind == kBallBall) {
-            sound = collide_balls(contact) && sound;
-        } else {
-            sound = visit_kind(
-                        contact.kind,
-                        [&](auto kind) { return meet_obstacle<decltype(kind)::value>(contact); }) &&
-                    sound;
+    const Contact contact{event.kind, event.first, event.second};
+    if constexpr (Type::Simultaneous::kGathersCluster) {
+        if (!captures(event.kind) && (gather(contact) || settles())) {
+            const std::optional<bool> sound = resolve_cluster(contact);
+            if (sound) return *sound;
         }
-    });
-    return sound;
+    }
+    if (contact.kind == kBallBall) return collide_balls(contact);
+    return visit_kind(contact.kind,
+                      [&](auto kind) { return meet_obstacle<decltype(kind)::value>(contact); });
+}
+
+/// Whether it is an obstacle that takes balls away.
+template <class Type>
+bool Engine<Type>::captures(Kind kind) {
+    return kind >= kFirstObstacle && visit_kind(kind, [](auto k) {
+               using Obstacle =
+                   typename std::tuple_element_t<decltype(k)::value,
+                                                 typename Type::ObstacleStorage>::value_type;
+               return kEffect<Obstacle> == Effect::capture;
+           });
 }
 
 template <class Type>
@@ -308,6 +352,7 @@ bool Engine<Type>::collide_balls(const Contact& contact) {
              kBallBall,
              i,
              j,
+             {},
              normal,
              {Recorder::remember(before[0]), Recorder::remember(before[1])},
              {Recorder::remember(one.state), Recorder::remember(other.state)}});
@@ -330,6 +375,9 @@ bool Engine<Type>::meet_obstacle(const Contact& contact) {
     if constexpr (kEffect<Obstacle> == Effect::capture) {
         body.present = false;
         broad_phase_.remove(i);
+    } else if constexpr (kEffect<Obstacle> == Effect::entry) {
+        Type::Motion::template enter<S>(body.state, contact.second);
+        begin_motion(body);
     } else {
         resolve_cushion(body, normal);
     }
@@ -340,6 +388,7 @@ bool Engine<Type>::meet_obstacle(const Contact& contact) {
              contact.kind,
              i,
              contact.second,
+             {},
              normal,
              {Recorder::remember(before), Recorder::remember(before)},
              {Recorder::remember(body.state), Recorder::remember(body.state)}});
@@ -364,12 +413,19 @@ void Engine<Type>::change_phase(BallIndex i) {
     Type::Motion::template transition<S>(scene_.motion, body.state);
     body.last_kind = kTransition;
     ++body.age;
+    if constexpr (kHasRims<typename Type::Motion>) {
+        if (body.state.fallen) {
+            body.present = false;
+            broad_phase_.remove(i);
+        }
+    }
     if constexpr (Recorder::kEvents) {
         recorder_.events.push_back(
             {now_,
              kTransition,
              i,
              0,
+             {},
              Vec(S(0), S(0)),
              {Recorder::remember(before), Recorder::remember(before)},
              {Recorder::remember(body.state), Recorder::remember(body.state)}});
@@ -415,8 +471,11 @@ bool Engine<Type>::gap_explained(const BodyType& one, const BodyType& other, con
     const S place = math::norm1<S>(one.state.position.rounded()) +
                     (math::norm1<S>(one.state.velocity) + math::norm1<S>(other.state.velocity)) *
                         math::narrow(now_);
-    const S bound = S(math::kContactGap) *
-                    (math::epsilon<S>() * (reach + travelled) + math::wide_epsilon<S>() * place);
+    S bound = S(math::kContactGap) *
+              (math::epsilon<S>() * (reach + travelled) + math::wide_epsilon<S>() * place);
+    if constexpr (Type::Simultaneous::kGathersCluster) {
+        bound = bound + together_gap<S>(math::norm1<S>(one.state.position.rounded()), reach);
+    }
     return gap <= bound && gap >= -(bound + S(2 * math::kStartOverlap) * reach);
 }
 
@@ -446,5 +505,7 @@ Status Engine<Type>::finish(Status status, const RunLimits<S>& limits) {
 
 }  // namespace osculo::engine
 
+#include "osculo/engine/cluster.hpp"
+#include "osculo/engine/gathering.hpp"
 #include "osculo/engine/prediction.hpp"
 #include "osculo/engine/resolution.hpp"

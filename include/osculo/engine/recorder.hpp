@@ -15,6 +15,15 @@ struct Moment {
     math::Vec<S> velocity;
 };
 
+/// Which cluster a contact belongs to.
+struct ClusterMark {
+    /// Contacts resolved together have the same number, from 1 on; 0: resolved by itself. They
+    /// follow each other, and what each of them does by itself means nothing: only their sum does.
+    std::uint32_t number : 31 = 0;
+    /// Of a cluster: false if another law or order gives another outcome.
+    bool well_posed : 1 = true;
+};
+
 /// An event as it happened. [Memory]: what is kept of a ball.
 template <math::Scalar S, class Memory = Moment<S>>
 struct EventRecord {
@@ -22,6 +31,7 @@ struct EventRecord {
     Kind kind;
     BallIndex first;
     std::uint32_t second;
+    ClusterMark cluster;
     math::Vec<S> normal;  ///< from `first` towards the other, any length
     std::array<Memory, 2> before;
     std::array<Memory, 2> after;

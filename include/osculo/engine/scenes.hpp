@@ -9,6 +9,7 @@
 #include "osculo/motion/disc.hpp"
 #include "osculo/motion/rolling.hpp"
 #include "osculo/motion/uniform.hpp"
+#include "osculo/motion/with_rims.hpp"
 
 /// The ready-made scene types, narrowest first.
 namespace osculo::engine {
@@ -16,28 +17,43 @@ namespace osculo::engine {
 using NoObstacles = Obstacles<>;
 using Walls = Obstacles<geometry::Segment, geometry::Point>;
 using Table = Obstacles<geometry::Rim, geometry::Segment, geometry::Arc, geometry::Point>;
+/// A table with rims that pull.
+using PullingTable = Obstacles<geometry::PullingRim, geometry::Rim, geometry::Segment,
+                               geometry::Arc, geometry::Point>;
+
+// Contacts of one instant are resolved pair by pair unless the scene type says impact::Symmetric,
+// which is what scenes of the facade say unless they choose otherwise.
 
 /// Free flight with restitution.
 template <math::Scalar S, class ObstacleKinds, template <class> class RecorderKind,
-          template <class> class BroadPhaseKind>
-using UniformScene = SceneType<S, motion::Uniform, ObstacleKinds, impact::Restitution,
-                               impact::Sequential, RecorderKind, BroadPhaseKind>;
+          template <class> class BroadPhaseKind, class Simultaneous = impact::Sequential>
+using UniformScene = SceneType<S, motion::Uniform, ObstacleKinds, impact::Restitution, Simultaneous,
+                               RecorderKind, BroadPhaseKind>;
 
 /// Rolling to rest, with restitution.
-template <math::Scalar S, template <class> class RecorderKind>
-using RollingScene = SceneType<S, motion::Rolling, Table, impact::Restitution, impact::Sequential,
-                               RecorderKind, AllPairs>;
+template <math::Scalar S, template <class> class RecorderKind,
+          class Simultaneous = impact::Sequential>
+using RollingScene =
+    SceneType<S, motion::Rolling, Table, impact::Restitution, Simultaneous, RecorderKind, AllPairs>;
 
 /// Slowing down by drag, with restitution.
-template <math::Scalar S, template <class> class RecorderKind>
-using ResistedScene = SceneType<S, motion::Resisted, Table, impact::Restitution, impact::Sequential,
+template <math::Scalar S, template <class> class RecorderKind,
+          class Simultaneous = impact::Sequential>
+using ResistedScene = SceneType<S, motion::Resisted, Table, impact::Restitution, Simultaneous,
                                 RecorderKind, AllPairs>;
 
 /// Discs that turn about the vertical, with friction between boundaries. Without drag they are in
 /// free flight, with a constant deceleration alone they slide to rest.
-template <math::Scalar S, template <class> class RecorderKind>
-using DiscScene = SceneType<S, motion::Disc, Table, impact::DiscFriction, impact::Sequential,
-                            RecorderKind, AllPairs>;
+template <math::Scalar S, template <class> class RecorderKind,
+          class Simultaneous = impact::Sequential>
+using DiscScene =
+    SceneType<S, motion::Disc, Table, impact::DiscFriction, Simultaneous, RecorderKind, AllPairs>;
+
+/// Rims that pull; rolling to rest, or free flight if nothing slows balls down.
+template <math::Scalar S, template <class> class RecorderKind,
+          class Simultaneous = impact::Sequential>
+using RimsScene = SceneType<S, motion::WithRims<motion::Rolling>, PullingTable, impact::Restitution,
+                            Simultaneous, RecorderKind, AllPairs>;
 
 /// Impact laws of balls with spin: friction between balls, and a cushion law.
 template <template <class> class Cushion>
@@ -52,9 +68,10 @@ struct WithFriction {
 };
 
 /// A cloth, with friction everywhere.
-template <math::Scalar S, template <class> class Cushion, template <class> class RecorderKind>
-using ClothScene = SceneType<S, motion::Cloth, Table, WithFriction<Cushion>, impact::Sequential,
-                             RecorderKind, AllPairs>;
+template <math::Scalar S, template <class> class Cushion, template <class> class RecorderKind,
+          class Simultaneous = impact::Sequential>
+using ClothScene =
+    SceneType<S, motion::Cloth, Table, WithFriction<Cushion>, Simultaneous, RecorderKind, AllPairs>;
 
 template <math::Scalar S>
 using RollingEvents = StateRecorder<S, motion::Rolling::State<S>, false>;
@@ -66,6 +83,10 @@ template <math::Scalar S>
 using ResistedPieces = StateRecorder<S, motion::Resisted::State<S>, true>;
 template <math::Scalar S>
 using DiscPieces = StateRecorder<S, motion::Disc::State<S>, true>;
+template <math::Scalar S>
+using RimsEvents = StateRecorder<S, motion::WithRims<motion::Rolling>::State<S>, false>;
+template <math::Scalar S>
+using RimsPieces = StateRecorder<S, motion::WithRims<motion::Rolling>::State<S>, true>;
 template <math::Scalar S>
 using ClothEvents = StateRecorder<S, motion::Cloth::State<S>, false>;
 template <math::Scalar S>

@@ -13,6 +13,7 @@
 #include "osculo/detect/ball_segment.hpp"
 #include "osculo/detect/ball_segment_parabolic.hpp"
 #include "osculo/detect/certainly_apart.hpp"
+#include "osculo/detect/on_rims.hpp"
 #include "osculo/detect/resisted.hpp"
 #include "osculo/impact/restitution.hpp"
 #include "osculo/impact/simultaneous.hpp"
@@ -24,12 +25,21 @@ namespace osculo::engine {
 using detect::contact_normal;
 using detect::first_contact;
 
-/// What happens when a ball meets an obstacle of a kind. Specialise for kinds that take the ball.
-enum class Effect { impact, capture };
+/// What happens when a ball meets an obstacle of a kind. Specialise for kinds that take the ball or
+/// that it gets into.
+enum class Effect { impact, capture, entry };
 template <class Obstacle>
 inline constexpr Effect kEffect = Effect::impact;
 template <math::Scalar S>
 inline constexpr Effect kEffect<geometry::Rim<S>> = Effect::capture;
+template <math::Scalar S>
+inline constexpr Effect kEffect<geometry::PullingRim<S>> = Effect::entry;
+
+/// Whether a motion law has rims that pull (motion/with_rims.hpp).
+template <class Motion>
+inline constexpr bool kHasRims = requires {
+    Motion::kRims;
+};
 
 /// True of kinds so long that most paths that meet anything end at them.
 template <class Obstacle>

@@ -11,4 +11,8 @@ struct Rim {
     S radius;             ///< [m], > 0
 };
 
+/// The edge of a hole that pulls balls whose centre is inside of it (motion/rim_paper.hpp).
+template <math::Scalar S>
+struct PullingRim : Rim<S> {};
+
 }  // namespace osculo::geometry

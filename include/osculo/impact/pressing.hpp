@@ -24,10 +24,15 @@
 /// the ball's last impact, if that was within the contact time: hops that follow each other double.
 namespace osculo::impact {
 
-/// How long a ball goes on accelerating as it does [s].
+/// How long a ball goes on accelerating as it does [s]: where that lessens as time goes by, until
+/// the velocity it changes would be gone.
 template <class State>
 [[nodiscard]] auto acceleration_time(const State& state) {
     using S = std::decay_t<decltype(state.remaining)>;
+    if constexpr (requires { state.slowing; }) {
+        const S rate = state.slowing.rate(S(1));
+        return rate > S(0) ? S(S(1) / rate) : math::never<S>();
+    }
     return state.half_acceleration.x() == S(0) && state.half_acceleration.y() == S(0)
                ? math::never<S>()
                : state.remaining;
@@ -37,12 +42,16 @@ template <class State>
 template <math::Scalar S>
 class LastImpact {
 public:
-    /// Notes another one; the time since the last one, or never() [s].
-    [[nodiscard]] S note(const math::Instant<S>& now) {
-        const S since = any_ ? math::duration<S>(when_, now) : math::never<S>();
+    /// The time since then, or never() [s].
+    [[nodiscard]] S since(const math::Instant<S>& now) const {
+        return any_ ? math::duration<S>(when_, now) : math::never<S>();
+    }
+    /// Notes another one; the time since the last one, as above.
+    S note(const math::Instant<S>& now) {
+        const S result = since(now);
         when_ = now;
         any_ = true;
-        return since;
+        return result;
     }
 
 private:
@@ -57,13 +66,20 @@ template <math::Scalar S>
     return std::min<S>(contact_time, std::max<S>(duration, least));
 }
 
-/// By how much a separation speed along [normal] (a unit vector) has to be raised, for a relative
-/// velocity and half relative acceleration of what lies there [m/s], and tau [s].
+/// The separation speed along [normal] (a unit vector) that it takes, a tau / 2, for half the
+/// relative acceleration of what lies there [m/s], and tau [s]; < 0 if nothing presses.
+template <math::Scalar S>
+[[nodiscard]] S least_separation(const math::Vec<S>& half_acceleration, const math::Vec<S>& normal,
+                                 const S& pressing_time) {
+    return -math::dot<S>(half_acceleration, normal) * pressing_time;
+}
+
+/// By how much a separation speed has to be raised, for a relative velocity [m/s].
 template <math::Scalar S>
 [[nodiscard]] S missing_separation(const math::Vec<S>& velocity,
                                    const math::Vec<S>& half_acceleration,
                                    const math::Vec<S>& normal, const S& pressing_time) {
-    const S least = -math::dot<S>(half_acceleration, normal) * pressing_time;
+    const S least = least_separation<S>(half_acceleration, normal, pressing_time);
     const S speed = math::dot<S>(velocity, normal);
     return least > S(0) && speed < least ? S(least - speed) : S(0);
 }

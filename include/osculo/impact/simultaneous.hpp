@@ -2,14 +2,8 @@
 
 namespace osculo::impact {
 
-/// How a cluster of contacts at one instant is resolved. A law is a type with
-///
-///     static constexpr bool kGathersCluster;      // wants every contact of the cluster, not only
-///     the first template <class Cluster, class ResolveOne> static void resolve(Cluster& cluster,
-///     ResolveOne&& resolve_one);
-///
-/// where a cluster is a range of contacts in the total order of events and resolve_one(contact)
-/// applies the binary law to one of them.
+// How contacts at one instant that share balls are resolved. A law is a type that says whether the
+// engine has to find them all: kGathersCluster.
 
 /// Pair by pair in the total order of events. Only the first contact is taken: what it leaves
 /// touching and approaching is found again by detection and becomes the next event, at the same
@@ -17,11 +11,13 @@ namespace osculo::impact {
 struct Sequential {
     static constexpr const char* kName = "sequential";
     static constexpr bool kGathersCluster = false;
+};
 
-    template <class Cluster, class ResolveOne>
-    static void resolve(Cluster& cluster, ResolveOne&& resolve_one) {
-        for (auto& contact : cluster) resolve_one(contact);
-    }
+/// All at once (impact/symmetric.hpp): contacts of one instant, and the touching things that they
+/// push on. What has just one contact is resolved as by Sequential, bit for bit.
+struct Symmetric {
+    static constexpr const char* kName = "symmetric";
+    static constexpr bool kGathersCluster = true;
 };
 
 }  // namespace osculo::impact

@@ -52,15 +52,15 @@ public:
         normals_.load(cluster);
         normals_.resolve(outcome);
         if constexpr (requires { cluster.balls.front().spin; }) resolve_friction(cluster, outcome);
-        for (std::size_t i = 0; i < cluster.balls.size(); ++i) {
-            cluster.balls[i].velocity = normals_.system().balls()[i].velocity;
-        }
-        for (std::size_t k = 0; k < cluster.contacts.size(); ++k) {
-            const S impulse = normals_.impulse(k);
-            // Less than nothing by rounding.
-            cluster.contacts[k].impulse = impulse > S(0) ? impulse : S(0);
-        }
+        hand_back(cluster);
         return outcome;
+    }
+
+    /// After resolve() of the same cluster: lets its contacts part at [least](k) [m/s] at least, by
+    /// normal impulses alone (impact/pressing.hpp). Changes nothing if not all of them can.
+    template <class ClusterType, class Least>
+    void part(ClusterType& cluster, const Least& least) {
+        if (normals_.part(least)) hand_back(cluster);
     }
 
     /// Closing speed of a contact of the cluster just resolved that is rounding [m/s].
@@ -69,6 +69,18 @@ public:
     }
 
 private:
+    template <class ClusterType>
+    void hand_back(ClusterType& cluster) const {
+        for (std::size_t i = 0; i < cluster.balls.size(); ++i) {
+            cluster.balls[i].velocity = normals_.system().balls()[i].velocity;
+        }
+        for (std::size_t k = 0; k < cluster.contacts.size(); ++k) {
+            const S impulse = normals_.impulse(k);
+            // Less than nothing by rounding.
+            cluster.contacts[k].impulse = impulse > S(0) ? impulse : S(0);
+        }
+    }
+
     static constexpr int kFrictionPasses = 4;
 
     /// Friction, with normals that it makes approach.

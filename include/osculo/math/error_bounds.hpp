@@ -76,11 +76,24 @@ inline constexpr int kFrictionMomentum = 20;
 inline constexpr int kMotionNoise = 8;
 
 /// How far what a certified path says of a place may be off, in units of epsilon times the way gone
-/// since its start, and of a velocity, times that at the start: of the closed forms of motion with
-/// drag 1/2 for each of some ten operations on g, the rest for log(1 + x) and e^-x (motion/
-/// slowing.hpp; tests/motion/slowing_test.cpp). Four times as much for the wider types where k^2 / 4
-/// and m c are nearly equal.
+/// since its start, and of a velocity, times that at the start. Of the closed forms of motion with
+/// drag (motion/slowing.hpp): 1/2 for each of some ten operations on g, the rest for log(1 + x) and
+/// e^-x; four times as much for the wider types where the roots of the characteristic equation all
+/// but coincide. tests/motion/slowing_test.cpp.
 inline constexpr int kPathNoise = 8;
+
+/// Gap below which a ball belongs to a cluster, in units of epsilon (|place| + |last place| +
+/// radius) of both: data is given to rounding, instants are predicted from it to some ulp, and
+/// places at an instant are speeds times that.
+inline constexpr int kTogether = 32;
+
+/// What a cluster may gain in energy, in units of epsilon times the energy of its balls, what the
+/// impulse of one of its contacts may lose in momentum, in units of epsilon times the sum of |m v|,
+/// and how fast its pairs may still approach, in units of epsilon times its largest speed: the
+/// tolerance of the reflections (impact/symmetric.hpp), which stop at what approaches by less.
+inline constexpr int kClusterEnergy = 512;
+inline constexpr int kClusterMomentum = 512;
+inline constexpr int kClusterClosing = 512;
 
 /// Contacts of a cluster approach if stopping the pair would take more than the square of this many
 /// epsilon out of the cluster's energy, in units of that of |y|, the root of twice the energy:
@@ -103,5 +116,15 @@ inline constexpr int kClusterJam = 8;
 /// its impulses and velocities (1 for each of three products, two sums, the root and the quotient
 /// of an impulse, 1 for the velocity).
 inline constexpr int kClusterGain = 8;
+
+/// The last three terms of a Chebyshev series below this many epsilon of its largest one are
+/// rounding: each coefficient is a sum of some dozen values with an error of some epsilon each. An
+/// integral divides its terms by their number and so errs by less than epsilon.
+inline constexpr int kChebyshevTail = 16;
+
+/// |F| at the saddle of a rim's field below this many wide epsilon of its terms is no more than
+/// their rounding (NUMERICS 3.2), 1/2 for each of some ten operations that go into a term and never
+/// add up. Whether such a ball gets over the saddle cannot be told.
+inline constexpr int kRimBalance = 2;
 
 }  // namespace osculo::math

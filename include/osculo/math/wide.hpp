@@ -167,6 +167,19 @@ template <Scalar S>
     return a / b;
 }
 
+/// a / b in wide precision. Requires b != 0.
+template <Builtin S>
+[[nodiscard]] inline DoubleDouble<S> wide_quotient(const DoubleDouble<S>& a,
+                                                   const DoubleDouble<S>& b) {
+    const S first = a.hi / b.hi;
+    const DoubleDouble<S> rest = a - b * DoubleDouble<S>(first);
+    return quick_two_sum(first, rest.hi / b.hi);
+}
+template <Scalar S>
+[[nodiscard]] S wide_quotient(const S& a, const S& b) {
+    return a / b;
+}
+
 /// Square root in wide precision. Requires x >= 0.
 template <Builtin S>
 [[nodiscard]] inline DoubleDouble<S> wide_square_root(const DoubleDouble<S>& x) {

@@ -26,7 +26,8 @@ struct PathPoint {
 ///
 /// from which |place(t + h) - quadratic(t) at h| <= jerk_bound(t, h) h^3 / 6. What at() and
 /// quadratic() give may err by math::kPathNoise epsilon of the way gone since the start, the
-/// velocity by as many epsilon of that at the start.
+/// velocity by as many epsilon of that at the start; of a path with a member `size` [m], by that of
+/// the way and the size together.
 template <class Path, class S>
 concept CertifiedPath = math::Scalar<S> && requires(const Path& path, const S& t, const S& h) {
     { path.position } -> std::convertible_to<math::WidePoint<S>>;

@@ -14,22 +14,30 @@ struct ResistedPath {
     math::WidePoint<S> position;  ///< [m]
     math::Vec<S> velocity;        ///< [m/s]
     Slowing<S> slowing;
-    S end;      ///< [s]; infinite without a constant deceleration
-    S longest;  ///< sigma(end) or little more [s]; may be infinite
+    S end;                       ///< [s]; infinite without a constant deceleration
+    S longest;                   ///< sigma(end) or little more [s]; may be infinite
+    mutable S last_time = S(0);  ///< by slowed(), as the next
+    mutable Slowed<S> last_slowed{S(0), S(1)};
 
+    /// slowing.after(t). Asked for several times in a row at each t.
+    [[nodiscard]] const Slowed<S>& slowed(const S& t) const {
+        if (t != last_time) last_slowed = slowing.after(t);
+        last_time = t;
+        return last_slowed;
+    }
     [[nodiscard]] PathPoint<S> at(const S& t) const {
-        const Slowed<S> now = slowing.after(t);
+        const Slowed<S>& now = slowed(t);
         return {math::displaced<S>(position, velocity, now.sigma), now.q * velocity};
     }
     [[nodiscard]] ParabolicPath<S> quadratic(const S& t) const {
-        const Slowed<S> now = slowing.after(t);
+        const Slowed<S>& now = slowed(t);
         return {math::displaced<S>(position, velocity, now.sigma), now.q * velocity,
                 (slowing.rate(now.q) / S(-2)) * velocity, end > t ? S(end - t) : S(0)};
     }
     /// It falls with the speed: that at t counts.
     [[nodiscard]] S jerk_bound(const S& t, const S& /*h*/) const {
-        const S q = t > S(0) ? slowing.after(t).q : S(1);
-        return (slowing.k + S(2) * slowing.c * q) * slowing.rate(q) * math::norm1<S>(velocity);
+        const S& q = slowed(t).q;
+        return (slowing.k + S(2) * slowing.c * q) * (slowing.rate(q) * math::norm1<S>(velocity));
     }
 
     /// Moves the start of the path on by t [s] <= end.
@@ -41,6 +49,8 @@ struct ResistedPath {
         end = end > t ? S(end - t) : S(0);
         longest = longest > now.sigma ? S((longest - now.sigma) / now.q) : S(0);
         if (!(now.q > S(0))) longest = S(0);
+        last_time = S(0);
+        last_slowed = {S(0), S(1)};
     }
 
     [[nodiscard]] bool stands() const { return velocity.x() == S(0) && velocity.y() == S(0); }
@@ -94,6 +104,11 @@ struct Resisted {
         state.longest = S(0);
         if (!(speed > S(0))) return;
         state.slowing = Slowing<S>::of(state.law, speed);
+        if (!math::is_finite<S>(state.slowing.m)) {  // a speed that is gone in no time
+            state.slowing = {};
+            state.remaining = S(0);
+            return;
+        }
         state.half_acceleration = state.velocity * (state.slowing.rate(S(1)) / S(-2));
         state.remaining = state.slowing.rest_time();
         state.longest = math::is_finite<S>(state.remaining)

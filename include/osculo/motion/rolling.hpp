@@ -9,6 +9,7 @@ namespace osculo::motion {
 /// (PHYSICS 2; the slowing down that Ko & Bang do by a constant per frame).
 struct Rolling {
     static constexpr const char* kName = "rolling";
+    static constexpr const char* kNameWithRims = "rolling+rims";
     static constexpr bool kTransitions = true;
     static constexpr bool kSpin = false;
 

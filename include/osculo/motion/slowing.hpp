@@ -53,6 +53,7 @@ struct Slowing {
     [[nodiscard]] Slowing from(const S& q) const {
         return q > S(0) ? Slowing{m / q, k, c * q} : Slowing{};
     }
+
     /// -q'.
     [[nodiscard]] S rate(const S& q) const { return m + q * (k + q * c); }
 
@@ -65,7 +66,7 @@ struct Slowing {
             return {t * (S(1) - m * t / S(2)), q > S(0) ? q : S(0)};
         }
         const Response r = response(t);
-        const S g = r.a - m * r.b;
+        const S g = r.a - (m * t) * r.b;
         const S grown = c * g;
         const S q = (r.slope - m * r.a) / (S(1) + grown);
         return {g * math::log1p_ratio<S>(grown), q > S(0) ? q : S(0)};
@@ -103,7 +104,7 @@ struct Slowing {
             t = std::max<S>(t, goal);
             for (int i = 0; i < 4 * math::ScalarTraits<S>::kDigits && t < rest; ++i) {
                 const Response r = response(t);
-                const S step = (goal - (r.a - m * r.b)) / (r.slope - m * r.a);
+                const S step = (goal - (r.a - (m * t) * r.b)) / (r.slope - m * r.a);
                 // Negative by rounding only.
                 if (!(step > S(8) * math::epsilon<S>() * t)) break;
                 t += step;
@@ -118,7 +119,7 @@ struct Slowing {
     }
 
 private:
-    /// B, A = B' and A'.
+    /// B / t, A = B' and A'.
     struct Response {
         S b, a, slope;
     };
@@ -141,7 +142,7 @@ private:
             const S left = math::decay<S>(S(kt / S(2))).left;
             r.a = left * angle.sin / w;
             r.slope = left * angle.cos - (k / S(2)) * r.a;
-            r.b = (S(1) - k * r.a - r.slope) / mc;
+            r.b = (S(1) - k * r.a - r.slope) / (mc * t);
             return r;
         }
         // A = (e^-slow t - e^-fast t) / (fast - slow), the rates of which the slow one may vanish.
@@ -158,32 +159,29 @@ private:
         r.slope = of_fast.left - slow * r.a;
         if (S(4) * slow < fast) {
             const S lasting = slow > S(0) ? S(of_slow.gone / slow) : t;
-            r.b = (lasting - of_fast.gone / fast) / (S(2) * l);
+            r.b = (lasting - of_fast.gone / fast) / (S(2) * l * t);
         } else {
-            r.b = (S(1) - k * r.a - r.slope) / mc;
+            r.b = (S(1) - k * r.a - r.slope) / (mc * t);
         }
         return r;
     }
 
-    /// The power series of B, by its differential equation: all terms in one sum.
+    /// The power series of B / t^2, by its differential equation: all terms in one sum.
     [[nodiscard]] Response series(const S& t, const S& kt, const S& mctt) const {
         S before(0);
-        S term = t * t / S(2);
+        S term(0.5);
         S b = term;
-        S at = S(2) * term;  // t A
-        for (int n = 3;; ++n) {
+        S a(1);  // A / t
+        for (int n = 3; n < 8 * math::ScalarTraits<S>::kDigits; ++n) {
             const S next = -(kt / S(n)) * term - (mctt / S(n * (n - 1))) * before;
             before = term;
             term = next;
             b += term;
-            at += S(n) * term;
-            if (S(n) * (math::abs<S>(term) + math::abs<S>(before)) <=
-                S(0.0625) * math::epsilon<S>() * at) {
-                break;
-            }
+            a += S(n) * term;
+            const S size = S(n) * (math::abs<S>(term) + math::abs<S>(before));
+            if (!(size > S(0.0625) * math::epsilon<S>() * a)) break;
         }
-        const S a = at / t;
-        return {b, a, S(1) - k * a - m * c * b};
+        return {b * t, a * t, S(1) - kt * a - mctt * b};
     }
 };
 

@@ -13,6 +13,15 @@ namespace {
 
 using namespace svg;
 
+std::string_view words(EventKind kind) {
+    switch (kind) {
+        case EventKind::capture: return " falls into ";
+        case EventKind::rim_entry: return " rolls over the rim of ";
+        case EventKind::rim_exit: return " leaves ";
+        default: return " meets ";
+    }
+}
+
 // More than anyone steps through.
 constexpr std::size_t kMostEvents = 5'000;
 
@@ -57,33 +66,35 @@ bool is_finite(Point point) {
 }
 
 bool is_quadratic(const Piece& piece) {
-    return piece.phase != Phase::resisted;
+    return piece.phase != Phase::resisted && piece.phase != Phase::rim;
 }
 
 // The page knows quadratics only: another piece is shown as so many of them, which begin where the
 // ball is, as fast as it is, and end where it is.
-void append_quadratics(std::vector<Piece>& pieces, const Piece& piece, double radius) {
+void append_quadratics(std::vector<Piece>& pieces, const Run& run, const Piece& piece) {
     constexpr int kCount = 16;
     if (is_quadratic(piece)) {
         pieces.push_back(piece);
         return;
     }
     const double step = (piece.to - piece.from) / kCount;
-    BallState begin = state_in(piece, radius, 0);
-    for (int k = 0; k < kCount && step > 0; ++k) {
-        const BallState end = state_in(piece, radius, (k + 1) * step);
+    std::vector<double> times;
+    for (int k = 0; k <= kCount; ++k) times.push_back(k * step);
+    const std::vector<BallState> states = run.along(piece, times);
+    for (std::size_t k = 0; k + 1 < states.size() && step > 0; ++k) {
+        const BallState& begin = states[k];
+        const BallState& end = states[k + 1];
         const auto acceleration = [step](double from, double to, double velocity) {
             return 2 * (to - from - velocity * step) / (step * step);
         };
         Piece part = piece;
-        part.from = piece.from + k * step;
-        part.to = k + 1 < kCount ? part.from + step : piece.to;
+        part.from = piece.from + times[k];
+        part.to = k + 2 < states.size() ? piece.from + times[k + 1] : piece.to;
         part.position = begin.position;
         part.velocity = begin.velocity;
         part.acceleration = {acceleration(begin.position.x, end.position.x, begin.velocity.x),
                              acceleration(begin.position.y, end.position.y, begin.velocity.y)};
         pieces.push_back(part);
-        begin = end;
     }
 }
 
@@ -106,7 +117,7 @@ std::string data_of(const Run& run, const View& view) {
     for (const Piece& piece : run.pieces) {
         if (!is_finite(piece.position) || !is_finite(piece.velocity)) continue;
         if (!std::isfinite(piece.to)) continue;
-        append_quadratics(pieces[piece.ball], piece, run.scene.balls[piece.ball].radius);
+        append_quadratics(pieces[piece.ball], run, piece);
     }
     JsonText json;
     json.raw("{\"end\": ");
@@ -135,8 +146,7 @@ std::string data_of(const Run& run, const View& view) {
         json.raw(", ");
         json.string(event.kind == EventKind::transition
                         ? ball + ": " + std::string(to_string(event.to))
-                        : ball + (event.kind == EventKind::capture ? " falls into " : " meets ") +
-                              other);
+                        : ball + std::string(words(event.kind)) + other);
         json.raw("]");
     });
     json.raw("}\n");

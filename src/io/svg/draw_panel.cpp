@@ -37,6 +37,8 @@ std::string_view words(Status status) {
 std::string_view words(EventKind kind) {
     switch (kind) {
         case EventKind::capture: return "falls into";
+        case EventKind::rim_entry: return "comes to";
+        case EventKind::rim_exit: return "leaves";
         case EventKind::ball_ball:
         case EventKind::ball_segment:
         case EventKind::ball_arc:

@@ -8,7 +8,7 @@ namespace {
 // More pieces than this only fill the picture.
 constexpr std::size_t kMostPieces = 3'000;
 constexpr std::size_t kThinPieces = 400;
-// A parabola is drawn as so many chords.
+// A curve is drawn as so many chords.
 constexpr int kChords = 24;
 
 // Path data of one ball's visible pieces; pieces that follow each other share their points.
@@ -22,16 +22,15 @@ void draw_path(Canvas& canvas, const View& view, const Run& run,
     for (const std::size_t index : pieces) {
         const Piece& piece = run.pieces[index];
         const double duration = piece.to - piece.from;
-        const bool resisted = piece.phase == Phase::resisted;
-        const auto place = [&](double t) {
-            if (resisted) return view(state_in(piece, 1, t).position);
-            return view({piece.position.x + t * (piece.velocity.x + t * piece.acceleration.x / 2),
-                         piece.position.y + t * (piece.velocity.y + t * piece.acceleration.y / 2)});
-        };
-        const int chords = resisted || piece.acceleration == Point{} ? 1 : kChords;
-        for (int k = 0; k < chords; ++k) {
-            const Point from = place(duration * k / chords);
-            const Point to = place(duration * (k + 1) / chords);
+        const bool straight = piece.phase == Phase::resisted ||
+                              (piece.phase != Phase::rim && piece.acceleration == Point{});
+        const int chords = straight ? 1 : kChords;
+        std::vector<double> times;
+        for (int k = 0; k <= chords; ++k) times.push_back(duration * k / chords);
+        const std::vector<BallState> places = run.along(piece, times);
+        for (std::size_t k = 0; k + 1 < places.size(); ++k) {
+            const Point from = view(places[k].position);
+            const Point to = view(places[k + 1].position);
             const auto visible = view.visible(from, to);
             if (!visible) {
                 flush();
@@ -57,7 +56,8 @@ void draw_stage(Canvas& canvas, const Picture& picture, const Run& run, std::siz
         const double share = run.time > 0 ? piece.from / run.time : 0;  // of the time gone by
         const auto begins_in =
             std::min(static_cast<std::size_t>(share * static_cast<double>(stages)), stages - 1);
-        if (begins_in == stage && piece.velocity != Point{}) pieces_of[piece.ball].push_back(i);
+        const bool moves = piece.velocity != Point{} || piece.phase == Phase::rim;
+        if (begins_in == stage && moves) pieces_of[piece.ball].push_back(i);
     }
     for (std::size_t ball = 0; ball < pieces_of.size(); ++ball) {
         if (pieces_of[ball].empty()) continue;

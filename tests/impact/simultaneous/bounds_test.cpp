@@ -117,6 +117,25 @@ TEST(ClusterBounds, NoiseIsNoFunnel) {
     }
 }
 
+/// What rounding alone makes of the energy of elastic chains, measured as the law measures it.
+TEST(ClusterBounds, GainIsMoreThanRounding) {
+    Random random(424604);
+    impact::symmetric::NormalPhase<double> normals(1000);
+    double worst = 0;
+    for (int i = 0; i < 20000; ++i) {
+        auto stage = chain<double>({random.signed_unit<double>(), random.signed_unit<double>()}, 1,
+                                   {random.magnitude<double>(-1, 1), 1});
+        normals.load(stage.cluster);
+        impact::ClusterOutcome outcome;
+        normals.resolve(outcome);
+        const double before = normals.size() * normals.size();
+        const double after = normals.system().size() * normals.system().size();
+        worst = std::max(worst, (after / before - 1) / kEpsilon);
+    }
+    EXPECT_LE(worst, math::kClusterGain);
+    EXPECT_GT(worst, math::kClusterGain / 10.0);
+}
+
 /// A rack between walls on two sides has a way out, on three it has none.
 TEST(ClusterBounds, JamsAreFound) {
     Random random(424603);

@@ -59,7 +59,32 @@ private:
     Box box_of(const Piece& piece) const {
         const double radius = math::to_double<S>(scene_.bodies[piece.ball].radius);
         return box_around(stretch(piece, piece.from, piece.to))
-            .grown(radius * (1 + 4 * math::epsilon<double>()));
+            .grown(radius * (1 + 4 * math::epsilon<double>()) +
+                   math::to_double<S>(deviation_of(piece, piece.from, piece.to)));
+    }
+    /// How far the piece may be from its stretch.
+    static S deviation_of(const Piece& piece, const math::Instant<S>& start,
+                          const math::Instant<S>& end) {
+        if constexpr (requires { deviation(piece, start, end); }) {
+            return deviation(piece, start, end);
+        } else {
+            return S(0);
+        }
+    }
+    /// What to do with a gap that is only known to within a deviation: if it is as good as known,
+    /// take it; if it cannot be the smallest, leave it; else look at its halves.
+    enum class Sure { enough, no_matter, not_yet };
+    Sure sure_of(const S& gap, const S& deviation, const S& reach, const S& smaller) const {
+        constexpr double kShare = 1e-6;  // of a gap that is none of a contact
+        // Nor is a deviation that is no number halved for ever.
+        if (!(deviation > math::epsilon<S>() * reach) || deviation <= S(kShare) * gap) {
+            return Sure::enough;
+        }
+        const double least = math::to_double<S>((gap - deviation) / smaller);
+        return least > std::max(0.0, result_.worst_gap) ? Sure::no_matter : Sure::not_yet;
+    }
+    static math::Instant<S> middle(const math::Instant<S>& start, const math::Instant<S>& end) {
+        return start + math::duration<S>(start, end) / S(2);
     }
     /// With room for every gap smaller than the smallest one yet.
     Box within_reach(const Box& box, BallIndex i) const {
@@ -71,20 +96,34 @@ private:
         const math::Instant<S> start = std::max(a.from, b.from);
         const math::Instant<S> end = std::min(a.to, b.to);
         if (end < start) return;
+        check_pair(a, b, start, end);
+    }
+    void check_pair(const Piece& a, const Piece& b, const math::Instant<S>& start,
+                    const math::Instant<S>& end) {
         const Body<Type>& one = scene_.bodies[a.ball];
         const Body<Type>& other = scene_.bodies[b.ball];
         const Wide reach = math::wide_sum<S>(one.radius, other.radius);
         const auto path = seen_from(stretch(a, start, end), stretch(b, start, end));
         const S smaller = std::min<S>(one.radius, other.radius);
-        const double far = (math::to_double<S>(math::narrow(reach)) +
+        const S off = deviation_of(a, start, end) + deviation_of(b, start, end);
+        const double far = (math::to_double<S>(math::narrow(reach)) + math::to_double<S>(off) +
                             std::max(0.0, result_.worst_gap) * math::to_double<S>(smaller)) *
                            (1 + 4 * math::epsilon<double>());
         if (box_around(path).apart({-far, far, -far, far})) return;
         const GapAt<S> gap = smallest_distance_beyond<S>(path, reach);
+        const Sure sure = sure_of(gap.gap, off, math::narrow(reach), smaller);
+        if (sure == Sure::no_matter) return;
+        if (sure == Sure::not_yet) {
+            check_pair(a, b, start, middle(start, end));
+            check_pair(a, b, middle(start, end), end);
+            return;
+        }
         const auto initial = [&] {
             return length_beyond<S>(seen_from(one.state.position, other.state.position), reach);
         };
-        note(gap, smaller, math::narrow(reach), S(path_[a.ball] + path_[b.ball]), a, start,
+        const S speed =
+            math::norm1<S>(beginning(a).velocity) + math::norm1<S>(beginning(b).velocity);
+        note(gap, smaller, math::narrow(reach), S(path_[a.ball] + path_[b.ball]), speed, a, start,
              {kBallBall, b.ball}, beginning(b).position.rounded(), initial);
     }
 
@@ -103,27 +142,44 @@ private:
 
     template <std::size_t K>
     void check_obstacles_of_kind(const Piece& piece, const Box& box) {
-        const Body<Type>& body = scene_.bodies[piece.ball];
         const auto& obstacles = std::get<K>(scene_.obstacles);
         for (std::uint32_t k = 0; k < obstacles.size(); ++k) {
             if (obstacle_boxes_[K][k].apart(within_reach(box, piece.ball))) continue;
-            const auto& obstacle = obstacles[k];
-            const auto path = stretch(piece, piece.from, piece.to, origin(obstacle));
-            const GapAt<S> gap = smallest_gap(path, body.radius, obstacle);
-            const auto initial = [&] {
-                return contact_gap(seen_from(body.state.position, origin(obstacle)), body.radius,
-                                   obstacle);
-            };
-            note(gap, body.radius, body.radius + contact_reach(obstacle), path_[piece.ball], piece,
-                 piece.from, {kFirstObstacle + static_cast<Kind>(K), k}, origin(obstacle), initial);
+            check_obstacle<K>(piece, k, piece.from, piece.to);
         }
     }
 
-    /// [initial] gives the gap of the two at the start of the run: a scene may start with a small
-    /// overlap, which is theirs until they are apart.
+    template <std::size_t K>
+    void check_obstacle(const Piece& piece, std::uint32_t k, const math::Instant<S>& start,
+                        const math::Instant<S>& end) {
+        const Body<Type>& body = scene_.bodies[piece.ball];
+        const auto& obstacle = std::get<K>(scene_.obstacles)[k];
+        if constexpr (kEffect<std::decay_t<decltype(obstacle)>> == Effect::entry) {
+            if (piece.state.stay) return;  // it may be inside
+        }
+        const auto path = stretch(piece, start, end, origin(obstacle));
+        const GapAt<S> gap = smallest_gap(path, body.radius, obstacle);
+        const S reach = body.radius + contact_reach(obstacle);
+        const Sure sure = sure_of(gap.gap, deviation_of(piece, start, end), reach, body.radius);
+        if (sure == Sure::no_matter) return;
+        if (sure == Sure::not_yet) {
+            check_obstacle<K>(piece, k, start, middle(start, end));
+            check_obstacle<K>(piece, k, middle(start, end), end);
+            return;
+        }
+        const auto initial = [&] {
+            return contact_gap(seen_from(body.state.position, origin(obstacle)), body.radius,
+                               obstacle);
+        };
+        note(gap, body.radius, reach, path_[piece.ball], math::norm1<S>(beginning(piece).velocity),
+             piece, start, {kFirstObstacle + static_cast<Kind>(K), k}, origin(obstacle), initial);
+    }
+
+    /// [speed]: of both, together. [initial] gives the gap of the two at the start of the run: a
+    /// scene may start with a small overlap, which is theirs until they are apart.
     template <class InitialGap>
     void note(const GapAt<S>& found, const S& smaller_radius, const S& reach, const S& path,
-              const Piece& piece, const math::Instant<S>& start, Thing other,
+              const S& speed, const Piece& piece, const math::Instant<S>& start, Thing other,
               const math::Vec<S>& from, InitialGap initial) {
         const double share = math::to_double<S>(found.gap / smaller_radius);
         if (!(share >= result_.worst_gap)) {
@@ -134,9 +190,8 @@ private:
         }
         if (found.gap >= S(0)) return;
         const S allowed = std::clamp<S>(-initial(), S(0), S(math::kStartOverlap) * smaller_radius);
-        const S bound =
-            allowed + gap_bound<S>(reach, path) +
-            resolution<S>(beginning(piece).position, beginning(piece).velocity, piece.to, from);
+        const S bound = allowed + gap_bound<S>(reach, path) +
+                        resolution<S>(beginning(piece).position, speed, piece.to, from);
         result_.clean = result_.clean && found.gap >= -bound;
     }
 

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "osculo/engine/audit/motion_laws.hpp"
 #include "osculo/engine/audit/result.hpp"
+#include "osculo/engine/audit/rims.hpp"
 
 namespace osculo::engine::detail {
 
@@ -63,9 +63,10 @@ private:
         take_pieces(i, event.when, result);
         if (!(history.now == event.when)) ++result.unexplained;
         expect(i, event.before[side], result);
-        history.captured = event_captures<Type>(event.kind);
+        history.captured = captures<Type>(event);
         // What an impact changes is checked with the impact; nothing else changes anything.
-        const bool impact = event.kind != kTransition && !history.captured;
+        const bool impact = event.kind != kTransition && !history.captured &&
+                            !has_effect<Type>(event.kind, Effect::entry);
         if (impact) history.noise = math::never<S>();
         // A phase too short for instants to show ends when it begins.
         if (event.kind == kTransition) {
@@ -121,8 +122,9 @@ private:
     void expect(BallIndex i, const Memory& state, RunAudit& result) {
         History& history = histories_[i];
         const S jump = math::norm<S>(math::difference<S>(state.position, history.state.position));
-        const S bound = S(math::kPieceJump) * math::epsilon<S>() * history.travelled +
-                        resolution<S>(state.position, history.state.velocity, history.now);
+        const S bound =
+            S(math::kPieceJump) * math::epsilon<S>() * history.travelled +
+            resolution<S>(state.position, math::norm1<S>(history.state.velocity), history.now);
         result.note(result.largest_jump, math::to_double<S>(jump / scene_.bodies[i].radius),
                     jump <= bound);
         if (!(motion_change<S>(state, history.state) <= history.noise)) ++result.unexplained;

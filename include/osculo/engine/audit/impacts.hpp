@@ -1,7 +1,11 @@
 #pragma once
 
-#include "osculo/engine/audit/motion_laws.hpp"
+#include <algorithm>
+#include <span>
+#include <vector>
+
 #include "osculo/engine/audit/result.hpp"
+#include "osculo/engine/audit/rims.hpp"
 
 namespace osculo::engine::detail {
 
@@ -19,6 +23,16 @@ public:
     explicit ImpactAudit(const SceneData<Type>& scene, const std::vector<S>& path)
         : scene_(scene), path_(path) {}
 
+    /// [events]: one, or all of a cluster.
+    void check(std::span<const Event> events, RunAudit& result) const {
+        if (events.size() == 1 && events.front().cluster.number == 0) {
+            check(events.front(), result);
+        } else {
+            check_cluster(events, result);
+        }
+    }
+
+private:
     void check(const Event& event, RunAudit& result) const {
         if (event.kind == kTransition) return;  // changes nothing, which is its ball's history
         const std::size_t balls = event.kind == kBallBall ? 2 : 1;
@@ -38,7 +52,72 @@ public:
         if (balls == 2) check_momentum(event, speed, result);
     }
 
-private:
+    /// What a ball was before a cluster and is after it.
+    struct Part {
+        BallIndex ball;
+        Memory before, after;
+    };
+
+    /// Its contacts touch; together they make no energy and leave nothing approaching; each keeps
+    /// momentum.
+    void check_cluster(std::span<const Event> events, RunAudit& result) const {
+        std::vector<Part> parts;
+        S speed{0}, gain{0};
+        for (const Event& event : events) {
+            check_gap(event, result);
+            for (std::size_t k = 0; k < (event.kind == kBallBall ? 2U : 1U); ++k) {
+                const BallIndex ball = k == 0 ? event.first : event.second;
+                auto part = std::find_if(parts.begin(), parts.end(),
+                                         [ball](const Part& p) { return p.ball == ball; });
+                if (part == parts.end()) {
+                    parts.push_back({ball, event.before[k], event.after[k]});
+                    part = parts.end() - 1;
+                }
+                part->after = event.after[k];
+                for (const Memory* of : {&event.before[k], &event.after[k]}) {
+                    speed = std::max<S>(speed, math::norm_max<S>(of->velocity));
+                    for (const S& turning : turning_of(*of, scene_.bodies[ball])) {
+                        speed = std::max<S>(speed, math::abs<S>(turning));
+                    }
+                }
+            }
+        }
+        if (!(speed > S(0))) return;
+        S before{0}, momentum{0};
+        for (const Part& part : parts) {
+            add_energy(scene_.bodies[part.ball], part.before, part.after, speed, gain, before);
+            momentum = momentum + scene_.bodies[part.ball].mass *
+                                      (math::norm<S>(part.before.velocity) / speed);
+        }
+        for (const Event& event : events) {
+            Event last = event;
+            for (std::size_t k = 0; k < (event.kind == kBallBall ? 2U : 1U); ++k) {
+                const BallIndex ball = k == 0 ? event.first : event.second;
+                last.after[k] = std::find_if(parts.begin(), parts.end(), [ball](const Part& p) {
+                                    return p.ball == ball;
+                                })->after;
+            }
+            gain = gain - gain_of_pressing(last, event.kind == kBallBall ? 2 : 1) / speed / speed;
+            if (event.kind == kBallBall) note_momentum(event, speed, momentum, result);
+            if (still_closes(last, speed)) ++result.unexplained;
+        }
+        const S share = gain == S(0) ? gain : S(gain / before);
+        result.note(result.largest_energy_gain, math::to_double<S>(share),
+                    share <= S(math::kClusterEnergy) * math::epsilon<S>());
+    }
+
+    /// By more than the rounding of the cluster's speeds.
+    bool still_closes(const Event& last, const S& speed) const {
+        const bool pair = last.kind == kBallBall;
+        const Vec normal =
+            pair ? math::difference<S>(last.before[1].position, last.before[0].position)
+                 : last.normal;
+        Vec v = last.after[0].velocity;
+        if (pair) v -= last.after[1].velocity;
+        return math::accurate_dot<S>(v, normal) >
+               S(math::kClusterClosing) * math::epsilon<S>() * speed * math::norm<S>(normal);
+    }
+
     const Body<Type>& body(const Event& event, std::size_t k) const {
         return scene_.bodies[k == 0 ? event.first : event.second];
     }
@@ -49,6 +128,7 @@ private:
         S reach = one.radius;
         S smaller = one.radius;
         S path = path_[event.first];
+        S speed = math::norm1<S>(event.before[0].velocity);
         Vec from(S(0), S(0));
         if (event.kind == kBallBall) {
             const Body<Type>& other = body(event, 1);
@@ -58,6 +138,7 @@ private:
             reach = reach + other.radius;
             smaller = std::min<S>(smaller, other.radius);
             path = path + path_[event.second];
+            speed = speed + math::norm1<S>(event.before[1].velocity);
         } else {
             with_obstacle<Type>(scene_, event.kind, event.second, [&](const auto& obstacle) {
                 gap = contact_gap(seen_from(event.before[0].position, origin(obstacle)), one.radius,
@@ -66,9 +147,12 @@ private:
                 from = origin(obstacle);
             });
         }
-        const S bound =
-            gap_bound<S>(reach, path) +
-            resolution<S>(event.before[0].position, event.before[0].velocity, event.when, from);
+        S bound = gap_bound<S>(reach, path) +
+                  resolution<S>(event.before[0].position, speed, event.when, from);
+        if constexpr (Type::Simultaneous::kGathersCluster) {
+            bound = bound + together_gap<S>(
+                                math::norm1<S>(event.before[0].position.rounded()) + path, reach);
+        }
         result.note(result.largest_contact_error, math::to_double<S>(gap / smaller), gap <= bound);
     }
 
@@ -96,7 +180,11 @@ private:
         }
         noise = noise * S(math::kVelocityNoise) * math::epsilon<S>() * math::norm1<S>(normal);
         if (closing(event.before) < -noise) ++result.unexplained;
-        if (!event_captures<Type>(event.kind) && closing(event.after) > noise) ++result.unexplained;
+        if (has_effect<Type>(event.kind, Effect::capture) ||
+            has_effect<Type>(event.kind, Effect::entry)) {
+            return;
+        }
+        if (closing(event.after) > noise) ++result.unexplained;
     }
 
     /// Spin times radius [m/s].
@@ -121,19 +209,24 @@ private:
         S gain = -gain_of_pressing(event, balls) / speed / speed;
         S before{0};
         for (std::size_t k = 0; k < balls; ++k) {
-            const Body<Type>& ball = body(event, k);
-            const Vec v = event.before[k].velocity / speed;
-            const Vec change = (event.after[k].velocity - event.before[k].velocity) / speed;
-            const Spin w = turning_of(event.before[k], ball) / speed;
-            const Spin twist = turning_of(event.after[k], ball) / speed - w;
-            const S inertia = inertia_of(ball);
-            gain = gain + ball.mass * (math::dot<S>(change, Vec(change + S(2) * v)) +
-                                       inertia * twist.dot(Spin(twist + S(2) * w)));
-            before = before + ball.mass * (math::dot<S>(v, v) + inertia * w.dot(w));
+            add_energy(body(event, k), event.before[k], event.after[k], speed, gain, before);
         }
         const S share = gain == S(0) ? gain : S(gain / before);
         result.note(result.largest_energy_gain, math::to_double<S>(share),
                     share <= S(math::kImpactEnergy) * math::epsilon<S>());
+    }
+
+    /// Adds twice the ball's gain of energy and its energy before, in units of speed^2.
+    static void add_energy(const Body<Type>& ball, const Memory& was, const Memory& is,
+                           const S& speed, S& gain, S& before) {
+        const Vec v = was.velocity / speed;
+        const Vec change = (is.velocity - was.velocity) / speed;
+        const Spin w = turning_of(was, ball) / speed;
+        const Spin twist = turning_of(is, ball) / speed - w;
+        const S inertia = inertia_of(ball);
+        gain = gain + ball.mass * (math::dot<S>(change, Vec(change + S(2) * v)) +
+                                   inertia * twist.dot(Spin(twist + S(2) * w)));
+        before = before + ball.mass * (math::dot<S>(v, v) + inertia * w.dot(w));
     }
 
     /// Twice the energy that an impact of balls pressed together may make, if this was one: see
@@ -161,19 +254,27 @@ private:
     }
 
     void check_momentum(const Event& event, const S& speed, RunAudit& result) const {
-        Vec change(S(0), S(0));
         S before{0};
         for (std::size_t k = 0; k < 2; ++k) {
-            const S mass = body(event, k).mass;
-            change += mass * Vec((event.after[k].velocity - event.before[k].velocity) / speed);
-            before = before + mass * math::norm<S>(event.before[k].velocity) / speed;
+            before = before + body(event, k).mass * math::norm<S>(event.before[k].velocity) / speed;
+        }
+        note_momentum(event, speed, before, result);
+    }
+    /// Two balls: what one gets the other gives. [before]: momentum that this is measured by.
+    void note_momentum(const Event& event, const S& speed, const S& before,
+                       RunAudit& result) const {
+        Vec change(S(0), S(0));
+        for (std::size_t k = 0; k < 2; ++k) {
+            change += body(event, k).mass *
+                      Vec((event.after[k].velocity - event.before[k].velocity) / speed);
         }
         const S error = math::norm<S>(change);
         const S share = error == S(0) ? error : S(error / before);
-        constexpr int kBound =
-            Type::Motion::kSpin ? math::kFrictionMomentum : math::kImpactMomentum;
+        const int bound = event.cluster.number != 0 ? math::kClusterMomentum
+                          : Type::Motion::kSpin     ? math::kFrictionMomentum
+                                                    : math::kImpactMomentum;
         result.note(result.largest_momentum_error, math::to_double<S>(share),
-                    share <= S(kBound) * math::epsilon<S>());
+                    share <= S(bound) * math::epsilon<S>());
     }
 
     const SceneData<Type>& scene_;

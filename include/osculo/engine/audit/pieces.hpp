@@ -89,12 +89,12 @@ template <math::Scalar S>
 /// What the rounding of wide places and instants leaves unresolved; [from] is what the place is
 /// measured from.
 template <math::Scalar S>
-[[nodiscard]] S resolution(const math::WidePoint<S>& position, const math::Vec<S>& velocity,
+[[nodiscard]] S resolution(const math::WidePoint<S>& position, const S& speed,
                            const math::Instant<S>& when,
                            const math::Vec<S>& from = math::Vec<S>(S(0), S(0))) {
     return S(math::kContactGap) * math::wide_epsilon<S>() *
            (math::norm1<S>(position.rounded()) + math::norm1<S>(from) +
-            math::norm1<S>(velocity) * math::abs<S>(math::narrow(when)));
+            speed * math::abs<S>(math::narrow(when)));
 }
 
 /// Calls f with the obstacle of that kind and index.
@@ -106,18 +106,27 @@ void with_obstacle(const SceneData<Type>& scene, Kind kind, std::uint32_t index,
     (std::make_index_sequence<Type::ObstacleList::kCount>{});
 }
 
-/// Whether events of that kind take the ball away.
+/// Whether events of that kind have that effect on a ball.
 template <class Type>
-[[nodiscard]] bool event_captures(Kind kind) {
+[[nodiscard]] bool has_effect(Kind kind, Effect effect) {
     return [&]<std::size_t... K>(std::index_sequence<K...>) {
         return (
             (kind == kFirstObstacle + K &&
              kEffect<
                  typename std::tuple_element_t<K, typename Type::ObstacleStorage>::value_type> ==
-                 Effect::capture) ||
+                 effect) ||
             ...);
     }
     (std::make_index_sequence<Type::ObstacleList::kCount>{});
+}
+
+/// Whether an event takes the ball away.
+template <class Type>
+[[nodiscard]] bool captures(const EventOf<Type>& event) {
+    if constexpr (kHasRims<typename Type::Motion>) {
+        if (event.kind == kTransition) return event.after[0].fallen;
+    }
+    return has_effect<Type>(event.kind, Effect::capture);
 }
 
 }  // namespace osculo::engine

@@ -202,9 +202,10 @@ template <math::Scalar S>
 }
 
 /// Way and speed after t by the differential equation alone: power series in steps so short that
-/// their terms shrink to a quarter each. Its rounding: some ten epsilon for each step.
+/// their terms shrink fast. Its rounding: some ten epsilon for each step. Ends when the speed is
+/// all but gone; t is then what is left of the time.
 template <math::Scalar S>
-[[nodiscard]] motion::Slowed<S> integrated(const motion::Slowing<S>& law, S t) {
+[[nodiscard]] motion::Slowed<S> integrated(const motion::Slowing<S>& law, S& t) {
     constexpr int kMostTerms = 4 * 64;
     std::array<S, kMostTerms> q{};
     motion::Slowed<S> now{S(0), S(1)};
@@ -230,8 +231,7 @@ template <math::Scalar S>
         now.sigma += way;
         now.q = end > S(0) ? end : S(0);
         t = t > h ? S(t - h) : S(0);
-        // Close to rest the steps shrink with the speed: what is left is less than rounding.
-        if (now.q <= S(0x1p-20) && h < t) break;
+        if (now.q <= S(0x1p-40)) break;
     }
     return now;
 }
@@ -255,12 +255,15 @@ template <math::Scalar S>
         return false;
     }
     if (!(t > S(0))) return true;
-    const motion::Slowed<S> by_steps = integrated<S>(state.slowing, t);
+    S left = t;
+    const motion::Slowed<S> by_steps = integrated<S>(state.slowing, left);
     const motion::Slowed<S> said = state.slowing.after(t);
-    const S enough = S(64) * slack + S(4) * slack * t * state.slowing.rate(S(1)) +
-                     S(by_steps.q > S(0x1p-19) ? 0 : 0x1p-19);
-    return math::abs<S>(by_steps.sigma - said.sigma) <= enough * said.sigma &&
-           math::abs<S>(by_steps.q - said.q) <= enough;
+    // What it has not followed to the end: less than the speed that was left goes with.
+    const S rest = left > S(0) ? by_steps.q : S(0);
+    if (linear > S(0)) left = std::min<S>(left, S(S(1) / linear));
+    const S enough = S(64) * slack + S(4) * slack * t * state.slowing.rate(S(1));
+    return math::abs<S>(by_steps.sigma - said.sigma) <= enough * said.sigma + rest * left &&
+           math::abs<S>(by_steps.q - said.q) <= enough + rest;
 }
 template <math::Scalar S>
 [[nodiscard]] S largest_acceleration(const motion::Resisted::Parameters<S>& law) {

@@ -3,7 +3,7 @@
 #include <cstddef>
 #include <vector>
 
-#include "osculo/math/floating_point.hpp"
+#include "osculo/math/vec.hpp"
 
 namespace osculo::impact::symmetric {
 
@@ -91,9 +91,11 @@ public:
     }
 
 private:
+    // Not c a + s b and c b - s a as they stand: g++ 12 contracts the pair into one fused operation
+    // where the processor has it (vfmsubadd), whatever -ffp-contract says.
     static void rotate(S& a, S& b, const S& c, const S& s) {
-        const S first = c * a + s * b;
-        b = c * b - s * a;
+        const S first = math::difference_of_products<S>(c, a, -s, b);
+        b = math::difference_of_products<S>(c, b, s, a);
         a = first;
     }
 

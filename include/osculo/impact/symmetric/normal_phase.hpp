@@ -109,6 +109,21 @@ public:
             push_projected(S(1));
         }
     }
+    /// Lets contacts part at [least](k) at least [m/s], by impulses that take as little as possible
+    /// of the energy of what they change. False, and nothing is changed, if not all of them can.
+    template <class Least>
+    bool part(const Least& least) {
+        save_velocities(start_);
+        stopping_ = impulses_;
+        for (std::size_t k = 0; k < impulses_.size(); ++k) system_.demand(k, least(k));
+        const bool possible = stop();
+        for (std::size_t k = 0; k < impulses_.size(); ++k) system_.demand(k, S(0));
+        if (!possible) {
+            restore_velocities(start_);
+            impulses_ = stopping_;
+        }
+        return possible;
+    }
     void save_velocities(std::vector<Vec>& velocities) const {
         velocities.clear();
         for (const auto& ball : system_.balls()) velocities.push_back(ball.velocity);

@@ -2,14 +2,18 @@
 
 #include "osculo/impact/cluster.hpp"
 #include "osculo/impact/cushion_han_2005.hpp"
-#include "osculo/impact/cushion_mathavan_2010.hpp"
 #include "osculo/impact/cushion_simple.hpp"
-#include "osculo/impact/cushion_stronge.hpp"
 #include "osculo/impact/frictional.hpp"
 
 /// What of the binary laws with friction a cluster takes: restitution, Coulomb's friction and the
 /// tilt of the contact.
 namespace osculo::impact {
+
+// Named only: who uses them includes them.
+template <math::Scalar S>
+struct CushionMathavan2010;
+template <math::Scalar S>
+struct CushionStronge;
 
 template <math::Scalar S>
 struct Surface {

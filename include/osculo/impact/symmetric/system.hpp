@@ -35,6 +35,7 @@ public:
         S root;               // of the reduced mass
         S restitution;
         Column<S> column;
+        S parting{0};  // speed at which they have to part at least
     };
 
     template <class ClusterType>
@@ -80,13 +81,16 @@ public:
     [[nodiscard]] const std::vector<Contact>& contacts() const { return contacts_; }
     [[nodiscard]] std::size_t rows() const { return 2 * balls_.size(); }
 
-    /// (v2 - v1).n [m/s]: negative if they approach.
+    /// (v2 - v1).n [m/s], less the speed at which they have to part: negative if they approach.
     [[nodiscard]] S separation(std::size_t k) const {
         const Column<S>& c = contacts_[k].column;
         const math::Vec<S>& v = balls_[c.one].velocity;
-        if (c.other == kFixed) return -math::dot<S>(v, contacts_[k].normal);
-        return math::dot<S>(balls_[c.other].velocity - v, contacts_[k].normal);
+        const S parting = c.other == kFixed
+                              ? S(-math::dot<S>(v, contacts_[k].normal))
+                              : math::dot<S>(balls_[c.other].velocity - v, contacts_[k].normal);
+        return parting - contacts_[k].parting;
     }
+    void demand(std::size_t k, const S& parting) { contacts_[k].parting = parting; }
     /// Rounding noise of it, as far as the velocities' own rounding goes.
     [[nodiscard]] S noise(std::size_t k) const {
         return of_both(k, [](const Ball& b) { return b.start + math::norm<S>(b.velocity); });

@@ -1,0 +1,161 @@
+#include <cmath>
+
+#include <gtest/gtest.h>
+
+#include "support/extreme_scenes.hpp"
+
+// Far, late, fast, slow, large and small, all at once, in every precision.
+namespace osculo::support {
+namespace {
+
+const double kRoot3 = std::sqrt(3.0);
+
+void expect_near(Point got, Point expected, double error, const char* what) {
+    EXPECT_NEAR(got.x, expected.x, error) << what;
+    EXPECT_NEAR(got.y, expected.y, error) << what;
+}
+
+// 931322 m there and back between walls 6 m apart: everything is exact in double.
+TEST(Scales, BouncesFor1e15SecondsToTheLastBit) {
+    Scene scene;
+    scene.segments = {wall_at(-1, "left"), wall_at(7, "right")};
+    scene.balls = {disk("ball", {0, 0}, {0x1p-30, 0})};
+    scene.limits = {1e15, 10'000'000};
+    const double way = 1e15 * 0x1p-30;
+    const double passages = std::floor(way / 6);
+    ASSERT_EQ(std::fmod(passages, 2.0), 0);  // so that it is on its way to the right
+    const auto run = simulate(scene, {.record = Record::none});
+    EXPECT_EQ(run.status, Status::time_limit);
+    EXPECT_EQ(static_cast<double>(run.event_count), passages);
+    EXPECT_EQ(run.balls[0].state.position.x, std::fmod(way, 6.0));
+    EXPECT_EQ(run.balls[0].state.velocity.x, 0x1p-30);
+}
+
+// Where nothing is exact it stays what 100 digits say, to the rounding of the way: 1e6 m of 53
+// bits.
+TEST(Scales, BouncesFor1e15SecondsAsIn100Digits) {
+    Scene scene;
+    scene.segments = {wall_at(-1.1, "left"), wall_at(7.3, "right")};
+    scene.balls = {disk("ball", {0.1, 0}, {1e-11 / 3, 0})};
+    scene.limits = {1e15, 100'000};
+    const auto exact = simulate(scene, {.precision = Precision::digits100});
+    for (const Precision precision : kEveryPrecision) {
+        const auto run = played(scene, precision);
+        OSCULO_EXPECT_ENDED(run, time_limit);
+        EXPECT_EQ(run.event_count, exact.event_count);
+        EXPECT_NEAR(run.balls[0].state.position.x, exact.balls[0].state.position.x, 1e-15 * 1e4);
+        EXPECT_EQ(run.balls[0].state.velocity.x, exact.balls[0].state.velocity.x);
+    }
+}
+
+// Off centre, after 1e9 m and 1e15 s: double knows the way to 1e-16 of itself.
+TEST(Scales, MeetsAfter1e9MetresAnd1e15Seconds) {
+    constexpr double kSpeed = 0x1p-20;
+    for (const Precision precision : kEveryPrecision) {
+        Scene scene;
+        scene.balls = {disk("comes", {-1e9, 1}, {kSpeed, 0}), disk("waits", {0, 0})};
+        scene.limits.time = 1.1e15;
+        const auto run = played(scene, precision);
+        OSCULO_EXPECT_ENDED(run, time_limit);
+        ASSERT_EQ(run.event_count, 1U);
+        const double error = kSpeed * (precision == Precision::double_precision ? 1e-7
+                                       : precision == Precision::extended       ? 1e-10
+                                                                                : 1e-15);
+        expect_near(run.balls[0].state.velocity, {kSpeed / 4, kSpeed * kRoot3 / 4}, error, "comes");
+        expect_near(run.balls[1].state.velocity, {0.75 * kSpeed, -kSpeed * kRoot3 / 4}, error,
+                    "waits");
+    }
+}
+
+// 1 um meets 1000 km half of its reach beside the middle.
+TEST(Scales, RadiusRatio1e12) {
+    for (const Precision precision : kEveryPrecision) {
+        Scene scene;
+        scene.balls = {disk("mote", {-5, 0.5e6}, {1, 0}, 1, 1e-6),
+                       disk("globe", {1e6, 0}, {}, 1e12, 1e6)};
+        scene.limits.time = 2e6;
+        const auto run = played(scene, precision);
+        OSCULO_EXPECT_ENDED(run, time_limit);
+        ASSERT_EQ(run.event_count, 1U);
+        expect_near(run.balls[0].state.velocity, {-0.5, kRoot3 / 2}, 3e-12, "mote");
+        expect_near(run.balls[1].state.velocity, {1.5e-12, -kRoot3 / 2 * 1e-12}, 1e-23, "globe");
+    }
+}
+
+// Masses 1, q, q^2, ..: the push grows by 2 / (1 + q) each time, and each ball keeps (1 - q) / (1 +
+// q) of its own.
+TEST(Scales, MassesOverFifteenPowersOfTen) {
+    for (const Precision precision : kEveryPrecision) {
+        for (const double q : {0.1, 10.0}) {
+            Scene scene;
+            double mass = 1;
+            for (int k = 0; k < 16; ++k, mass *= q) {
+                scene.balls.push_back(
+                    disk(std::to_string(k), {3.0 * k, 0}, {k == 0 ? 1. : 0., 0}, mass));
+            }
+            scene.limits.time = q < 1 ? 40 : 1e13;
+            const auto run = played(scene, precision);
+            OSCULO_EXPECT_ENDED(run, time_limit);
+            EXPECT_EQ(run.event_count, 15U);
+            double push = 1;
+            for (std::size_t k = 0; k < 16; ++k, push *= 2 / (1 + q)) {
+                const double expected = k < 15 ? push * (1 - q) / (1 + q) : push;
+                EXPECT_NEAR(run.balls[k].state.velocity.x / expected, 1, 2e-14) << q << " " << k;
+            }
+        }
+    }
+}
+
+TEST(Scales, SpeedsFrom1em150To1e150InOneScene) {
+    for (const Precision precision : kEveryPrecision) {
+        Scene scene;
+        scene.balls = {disk("fast", {-5, 101}, {1e150, 0}), disk("struck", {0, 100}),
+                       disk("slow", {0, 0}, {1e-150, 0}), disk("touched", {2, 0})};
+        scene.limits.time = 1e-148;
+        const auto run = played(scene, precision);
+        OSCULO_EXPECT_ENDED(run, time_limit);
+        ASSERT_EQ(run.event_count, 2U);
+        expect_near(run.balls[0].state.velocity, {0.25e150, kRoot3 / 4 * 1e150}, 1e135, "fast");
+        expect_near(run.balls[1].state.velocity, {0.75e150, -kRoot3 / 4 * 1e150}, 1e135, "struck");
+        expect_near(run.balls[2].state.velocity, {0, 0}, 0, "slow");
+        expect_near(run.balls[3].state.velocity, {1e-150, 0}, 1e-165, "touched");
+    }
+}
+
+/// Nine disks at multiples of 2^-20 m in a box whose corner is at [corner].
+Scene nine_disks(Point corner) {
+    Scene scene;
+    const double x = corner.x, y = corner.y;
+    scene.segments = {{"bottom", {x, y}, {x + 8, y}, Side::left},
+                      {"right", {x + 8, y}, {x + 8, y + 8}, Side::left},
+                      {"top", {x + 8, y + 8}, {x, y + 8}, Side::left},
+                      {"left", {x, y + 8}, {x, y}, Side::left}};
+    for (int k = 0; k < 9; ++k) {
+        const double jitter = ((k * 7919) % 1024 - 512) * 0x1p-12;
+        scene.balls.push_back(
+            disk(std::to_string(k), {x + 1.25 + 2.5 * (k % 3) + jitter, y + 1.5 + 2.5 * (k / 3)},
+                 {((k * 104729) % 2048 - 1024) * 0x1p-10, ((k * 1299709) % 2048 - 1024) * 0x1p-10},
+                 1, 0.5));
+    }
+    scene.limits = {1e9, 40};
+    return scene;
+}
+
+TEST(Scales, At1e9MetresFromTheOriginAsThere) {
+    const auto exact = simulate(nine_disks({0, 0}), {.precision = Precision::digits100});
+    for (const Precision precision : kEveryPrecision) {
+        const auto run = played(nine_disks({1e9, -1e9}), precision);
+        OSCULO_EXPECT_ENDED(run, event_limit);
+        for (std::size_t k = 0; k < 9; ++k) {
+            expect_near(run.balls[k].state.velocity, exact.balls[k].state.velocity, 1e-9, "disk");
+        }
+        for (std::size_t k = 0; k < 40; ++k) {
+            EXPECT_EQ(run.events[k].kind, exact.events[k].kind) << k;
+            EXPECT_EQ(run.events[k].ball, exact.events[k].ball) << k;
+            EXPECT_EQ(run.events[k].other, exact.events[k].other) << k;
+        }
+    }
+}
+
+}  // namespace
+}  // namespace osculo::support
