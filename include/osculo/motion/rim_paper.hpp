@@ -68,8 +68,10 @@ public:
         // by at most so much:
         const S change = most_speed_ * h / start_.radius;
         const S highest = p.q + change;
+        // From where 1 - q is less than rounding to the fall, nothing is left to change.
+        const S least = math::square_root<S>(math::epsilon<S>());
         const S steepest = highest < S(1) ? S(S(1) / math::square_root<S>(S(1) - highest * highest))
-                                          : S(S(4) / p.c);
+                                          : S(S(4) / std::max<S>(p.c, least));
         const S nearest = std::max<S>(p.d - change, start_.field.least_distance());
         const S turning = math::abs<S>(start_.moment) / (nearest * nearest) / start_.unit_time;
         return start_.gravity * (most_speed_ / start_.radius * steepest + turning / S(2));

@@ -113,9 +113,10 @@ private:
         const GapAt<S> gap = smallest_distance_beyond<S>(path, reach);
         const Sure sure = sure_of(gap.gap, off, math::narrow(reach), smaller);
         if (sure == Sure::no_matter) return;
-        if (sure == Sure::not_yet) {
-            check_pair(a, b, start, middle(start, end));
-            check_pair(a, b, middle(start, end), end);
+        const math::Instant<S> half = middle(start, end);
+        if (sure == Sure::not_yet && start < half && half < end) {
+            check_pair(a, b, start, half);
+            check_pair(a, b, half, end);
             return;
         }
         const auto initial = [&] {
@@ -162,9 +163,10 @@ private:
         const S reach = body.radius + contact_reach(obstacle);
         const Sure sure = sure_of(gap.gap, deviation_of(piece, start, end), reach, body.radius);
         if (sure == Sure::no_matter) return;
-        if (sure == Sure::not_yet) {
-            check_obstacle<K>(piece, k, start, middle(start, end));
-            check_obstacle<K>(piece, k, middle(start, end), end);
+        const math::Instant<S> half = middle(start, end);
+        if (sure == Sure::not_yet && start < half && half < end) {
+            check_obstacle<K>(piece, k, start, half);
+            check_obstacle<K>(piece, k, half, end);
             return;
         }
         const auto initial = [&] {
