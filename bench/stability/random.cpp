@@ -28,12 +28,12 @@ private:
 /// thrown.
 Case row(Dice& dice) {
     Case c;
-    c.stiff = "a row of any masses (1e-3 .. 1e3), radii (1e-3 .. 1e3), gaps (1e-15 .. 1)";
+    c.stiff = "a row of any masses (1e-3 .. 1e3), radii (1e-3 .. 1e3), gaps (1e-12 .. 1)";
     const int count = 3 + dice.below(6);
     double x = 0;
     for (int k = 0; k < count; ++k) {
         const double r = dice.magnitude(-3, 3);
-        if (k > 0) x += r + (k == 1 ? 1 : dice.magnitude(-15, 0));
+        if (k > 0) x += r + (k == 1 ? 1 : dice.magnitude(-12, 0));
         c.scene.balls.push_back(ball(std::to_string(k), dice.magnitude(-3, 3), r, {x, 0}));
         x += r;
     }

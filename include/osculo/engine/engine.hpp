@@ -264,7 +264,10 @@ Status Engine<Type>::play(const RunLimits<S>& limits, Pause& pause) {
             }
         }
         if (event_count_ == limits.events) return Status::event_limit;
-        pause.at_this_instant = event.when == now_ ? pause.at_this_instant + 1 : 0;
+        const bool no_time_passes =
+            math::duration<S>(now_, event.when) <=
+            S(math::kSameInstant) * math::wide_epsilon<S>() * math::narrow(event.when);
+        pause.at_this_instant = no_time_passes ? pause.at_this_instant + 1 : 0;
         if (pause.at_this_instant > most_at_one_instant) return Status::zeno;
         now_ = event.when;
         if (!carry_out(event)) return Status::numeric;

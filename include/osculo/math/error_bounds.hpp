@@ -46,6 +46,12 @@ inline constexpr int kTouch = 8;
 /// means that the scalar type cannot resolve the motion: status `numeric`.
 inline constexpr int kContactGap = 8;
 
+/// Events that follow each other within this many wide roundings of their instant are at one
+/// instant: time that passes from one to the next is lost in what the instant before it and the
+/// wait err by, and in the rounding of their sum. Things that are pressed together at speeds of
+/// which nothing is left would take a rounding every few events, for ever.
+inline constexpr int kSameInstant = 8;
+
 /// What one impact may gain in energy, in units of epsilon times the energy of its balls, and lose
 /// in momentum, in units of epsilon times the sum of their |m v|. With u = epsilon / 2: the impulse
 /// errs by 9 u of the relative velocity, its two products by 2 u, the new velocities by 1 u. As an
