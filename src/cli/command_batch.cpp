@@ -8,6 +8,7 @@
 #include <unistd.h>
 
 #include "cli/batch/array_sink.hpp"
+#include "cli/batch/invalid_shots.hpp"
 #include "cli/batch/outcome_sink.hpp"
 #include "cli/batch/shot_source.hpp"
 #include "cli/commands.hpp"
@@ -96,21 +97,12 @@ struct Played {
     std::size_t rows = 0;  ///< that are done
 };
 
-/// Why a shot is impossible that could be read.
-std::string fault_of(const Scene& scene, const ShotBlock& block, std::size_t row) {
-    try {
-        validate(block.are_starts ? scene_of(scene, Starts{block.states, block.present}, row)
-                                  : scene_of(scene, block.strikes[row]));
-    } catch (const SceneError& error) {
-        return error.what();
-    }
-    return "is invalid";
-}
-
 class BatchCommand {
 public:
     explicit BatchCommand(const BatchArguments& arguments)
-        : arguments_(arguments), scene_(load_scene(arguments.scene)) {
+        : arguments_(arguments),
+          scene_(load_scene(arguments.scene)),
+          invalid_(arguments.shots, arguments.is_strict) {
         options_.precision =
             precision_from_string(arguments.precision).value_or(Precision::double_precision);
         options_.threads = arguments.threads;
@@ -164,7 +156,7 @@ private:
                 sink->write(played->result, played->rows, played->block.first,
                             played->block.errors);
             });
-            if (ended_by_error_) break;
+            if (invalid_.has_ended()) break;
         }
         if (writing.valid()) writing.get();
         sink->finish();
@@ -182,28 +174,7 @@ private:
         const auto& status = played.result.status;
         const auto end = std::find(status.begin(), status.end(), ShotStatus::not_run);
         played.rows = static_cast<std::size_t>(end - status.begin());
-        for (std::size_t row = 0; row < played.rows; ++row) {
-            if (status[row] != ShotStatus::invalid) continue;
-            std::string& error = played.block.errors[row];
-            if (error.empty()) {
-                const std::string place = block.lines.empty()
-                                              ? fmt::format("shot {}", block.first + row)
-                                              : fmt::format("line {}", block.lines[row]);
-                error = place + ": " + fault_of(scene_, block, row);
-            }
-            report_invalid(error);
-            if (arguments_.is_strict) {
-                ended_by_error_ = true;
-                played.rows = row;  // what is before it is written
-            }
-        }
-    }
-
-    void report_invalid(const std::string& error) {
-        ++invalid_;
-        constexpr std::uint64_t kMost = 20;
-        if (invalid_ <= kMost) fmt::print(stderr, "osculo: {}: {}\n", arguments_.shots, error);
-        if (invalid_ == kMost) fmt::print(stderr, "osculo: and more, see the outcomes\n");
+        played.rows = invalid_.report(scene_, played.block, played.result, played.rows);
     }
 
     [[nodiscard]] ExitCode report(std::uint64_t done, bool is_interrupted) const {
@@ -213,17 +184,16 @@ private:
                        is_file ? "; the same command with --resume goes on" : "");
             return kInterrupted;
         }
-        if (invalid_ > 0 && !arguments_.quiet) {
-            fmt::print(stderr, "osculo: {} of {} shots are invalid\n", invalid_, done);
+        if (invalid_.count() > 0 && !arguments_.quiet) {
+            fmt::print(stderr, "osculo: {} of {} shots are invalid\n", invalid_.count(), done);
         }
-        return invalid_ > 0 ? kInvalidScene : kFinished;
+        return invalid_.count() > 0 ? kInvalidScene : kFinished;
     }
 
     const BatchArguments& arguments_;
     Scene scene_;
     BatchOptions options_;
-    std::uint64_t invalid_ = 0;
-    bool ended_by_error_ = false;
+    InvalidShots invalid_;
 };
 
 /// Puts the outcomes of shards together.
