@@ -47,10 +47,9 @@ inline constexpr int kTouch = 8;
 inline constexpr int kContactGap = 8;
 
 /// Events that follow each other within this many wide roundings of their instant are at one
-/// instant: time that passes from one to the next is lost in what the instant before it and the
-/// wait err by, and in the rounding of their sum. Things that are pressed together at speeds of
-/// which nothing is left would take a rounding every few events, for ever.
-inline constexpr int kSameInstant = 8;
+/// instant: that much is lost in the sum of an instant and a wait. Things that are pressed together
+/// at speeds of which nothing is left would take a part of a rounding every few events, for ever.
+inline constexpr int kSameInstant = 1;
 
 /// What one impact may gain in energy, in units of epsilon times the energy of its balls, and lose
 /// in momentum, in units of epsilon times the sum of their |m v|. With u = epsilon / 2: the impulse
