@@ -90,7 +90,13 @@ public:
     }
 
     [[nodiscard]] const Wide& start() const { return z_; }  ///< z
-    [[nodiscard]] bool turns_at_start() const { return !(math::narrow(start_value_) > S(0)); }
+    /// Whether it starts at a turn: its radial speed is no more than rounding of its velocity.
+    [[nodiscard]] bool turns_at_start() const {
+        const S noise = S(math::kVelocityNoise) * math::epsilon<S>();
+        const S d = math::narrow(d_);
+        const S radial = math::narrow(start_value_);
+        return radial <= noise * noise * (radial + moment_square() / (d * d));
+    }
     [[nodiscard]] S rim() const { return math::narrow(rim_); }
     /// R - r.
     [[nodiscard]] S least_distance() const { return math::narrow(Wide(rim_ - Wide(S(1)))); }
