@@ -1,20 +1,9 @@
-#include "run_engine.hpp"
+#include "wide_engines.hpp"
 
 namespace osculo::facade {
-// The wider types are for checking, not for speed: one engine for each motion law.
 
 std::span<const ReadyEngine> digits50_symmetric_engines() {
-    using namespace engine;
-    using S = boost::multiprecision::cpp_bin_float_50;
-    static const std::array kEngines{
-        ready_engine<UniformScene<S, Table, PieceRecorder, CellGrid, impact::Symmetric>>(),
-        ready_engine<RollingScene<S, RollingPieces, impact::Symmetric>>(),
-        ready_engine<ResistedScene<S, ResistedPieces, impact::Symmetric>>(),
-        ready_engine<RimsScene<S, RimsPieces, impact::Symmetric>>(),
-        ready_engine<ClothScene<S, impact::CushionSimple, ClothPieces, impact::Symmetric>>(),
-        ready_engine<ClothScene<S, impact::CushionHan2005, ClothPieces, impact::Symmetric>>(),
-    };
-    return kEngines;
+    return wide_engines<boost::multiprecision::cpp_bin_float_50, impact::Symmetric>();
 }
 
 }  // namespace osculo::facade
