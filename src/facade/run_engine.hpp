@@ -89,6 +89,8 @@ inline constexpr MotionKind kMotionKind = MotionKind::uniform;
 template <>
 inline constexpr MotionKind kMotionKind<motion::Rolling> = MotionKind::rolling;
 template <>
+inline constexpr MotionKind kMotionKind<motion::WithRims<motion::Rolling>> = MotionKind::rolling;
+template <>
 inline constexpr MotionKind kMotionKind<motion::Resisted> = MotionKind::resisted;
 template <>
 inline constexpr MotionKind kMotionKind<motion::Disc> = MotionKind::resisted;
