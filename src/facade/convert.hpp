@@ -34,7 +34,7 @@ public:
         ball.state = state(body.state, index);
         if (!body.present) {
             ball.fate = BallFate::captured;
-            ball.rim = compiled_.rims[body.last_other];
+            ball.rim = rim_of(body);
         } else if (Type::Motion::template at_rest<S>(body.state)) {
             ball.fate = BallFate::rest;
         }

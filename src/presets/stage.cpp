@@ -50,7 +50,7 @@ void add_ball(Scene& scene, const std::string& id, Point position, double radius
 Scene stage(double restitution) {
     Scene scene;
     scene.motion = RollingMotion{0.02};  // a short carpet
-    scene.impacts.ball_ball.restitution = 0.95;
+    scene.impacts.ball_ball.restitution = restitution;
     scene.impacts.ball_cushion.restitution = restitution;
     scene.limits.time = 120;
     scene.closed = true;

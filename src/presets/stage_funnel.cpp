@@ -7,7 +7,7 @@ namespace osculo::presets {
 // A hall of 1.8 m that narrows towards its only hole, with three posts in the way.
 Scene make_stage_funnel(const Parameters& parameters) {
     const double speed = speed_of(parameters, 3);
-    Scene scene = stage(in_range("restitution", parameters.restitution, 0.8, 0.0, 1.0));
+    Scene scene = stage(in_range("restitution", parameters.restitution, 0.85, 0.0, 1.0));
     add_room(
         scene, "wall",
         {{0, 0}, {1.1, 0}, {1.5, 0.3}, {1.8, 0.3}, {1.8, 0.6}, {1.5, 0.6}, {1.1, 0.9}, {0, 0.9}});

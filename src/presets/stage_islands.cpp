@@ -7,7 +7,7 @@ namespace osculo::presets {
 // A room with a bent corridor around islands, and a hole at the end of each way.
 Scene make_stage_islands(const Parameters& parameters) {
     const double speed = speed_of(parameters, 4);
-    Scene scene = stage(in_range("restitution", parameters.restitution, 0.8, 0.0, 1.0));
+    Scene scene = stage(in_range("restitution", parameters.restitution, 0.85, 0.0, 1.0));
     add_room(
         scene, "wall",
         {{0, 0}, {1.6, 0}, {1.6, 0.7}, {1, 0.7}, {0.9, 0.8}, {0.9, 1.4}, {0.2, 1.4}, {0, 1.2}});

@@ -275,7 +275,7 @@ TEST(Batch, PlaysBatchesOfBothKindsOneAfterAnother) {
     }
     EXPECT_EQ(batch.threads(), 3U);
     EXPECT_EQ(batch.engine_name(),
-              "cloth/han_2005/rims+segments+arcs+points/double/contacts/all-pairs");
+              "cloth/han_2005/symmetric/rims+segments+arcs+points/double/contacts/all-pairs");
 }
 
 TEST(Batch, IsStopped) {

@@ -49,7 +49,7 @@ TEST(Stages, HaveHolesAndBallsOfSeveralSizes) {
 
 TEST(Stages, EndAtRest) {
     for (const char* name : kStages) {
-        const Run run = simulate(presets::make(name));
+        const osculo::Run run = simulate(presets::make(name));
         EXPECT_EQ(run.status, Status::at_rest) << name;
         EXPECT_GT(run.event_count, 10U) << name;
     }
@@ -63,7 +63,7 @@ TEST(Stages, RandomShotsEndAndTheirAuditIsClean) {
             const Scene scene = random_shot(name, seed);
             Options options;
             options.audit = true;
-            const Run run = simulate(scene, options);
+            const osculo::Run run = simulate(scene, options);
             ASSERT_EQ(run.status, Status::at_rest) << name << ", seed " << seed;
             ASSERT_TRUE(run.audit->clean)
                 << name << ", seed " << seed << ": gap " << run.audit->worst_gap << ", energy "

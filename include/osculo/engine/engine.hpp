@@ -205,7 +205,7 @@ private:
     /// Calls f with the compile-time number of the kind of obstacle.
     template <class F>
     [[nodiscard]] static bool visit_kind(Kind kind, F&& f);
-    [[nodiscard]] static bool captures(Kind kind);
+    [[nodiscard]] static bool is_impact(Kind kind);
 
     void advance(BallIndex i);
     void note_impact(BodyType& body, const Vec& before, Kind kind, std::uint32_t other);
@@ -309,7 +309,7 @@ bool Engine<Type>::carry_out(const Scheduled& event) {
     }
     const Contact contact{event.kind, event.first, event.second};
     if constexpr (Type::Simultaneous::kGathersCluster) {
-        if (!captures(event.kind) && (gather(contact) || settles())) {
+        if (is_impact(event.kind) && (gather(contact) || settles())) {
             const std::optional<bool> sound = resolve_cluster(contact);
             if (sound) return *sound;
         }
@@ -319,14 +319,14 @@ bool Engine<Type>::carry_out(const Scheduled& event) {
                       [&](auto kind) { return meet_obstacle<decltype(kind)::value>(contact); });
 }
 
-/// Whether it is an obstacle that takes balls away.
+/// Whether it is an event at which something is hit.
 template <class Type>
-bool Engine<Type>::captures(Kind kind) {
-    return kind >= kFirstObstacle && visit_kind(kind, [](auto k) {
+bool Engine<Type>::is_impact(Kind kind) {
+    return kind == kBallBall || visit_kind(kind, [](auto k) {
                using Obstacle =
                    typename std::tuple_element_t<decltype(k)::value,
                                                  typename Type::ObstacleStorage>::value_type;
-               return kEffect<Obstacle> == Effect::capture;
+               return kEffect<Obstacle> == Effect::impact;
            });
 }
 
