@@ -5,6 +5,7 @@
 #include <unordered_map>
 
 #include "cue.hpp"
+#include "forces.hpp"
 #include "osculo/math/error_bounds.hpp"
 #include "osculo/scene.hpp"
 #include "outline.hpp"
@@ -411,6 +412,7 @@ void validate(const Scene& scene) {
     validate_obstacles(scene, ids);
     validate_laws(scene);
     validate_cue(scene);
+    facade::validate_forces(scene);
     validate_places(scene);
     validate_closed(scene);
 }

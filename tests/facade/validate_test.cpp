@@ -45,6 +45,43 @@ void expect_error(const Case& c) {
     }
 }
 
+// Found by a fuzzer: at a gravity of 1e-65 m/s^2 a ball went through a cushion.
+TEST(Validate, ForcesMustBeMoreThanNothing) {
+    Scene scene;
+    scene.balls.push_back({"a", 1, 0.03, {0, 0}, {8, 0}, {}});
+    const auto message = [&scene] {
+        try {
+            validate(scene);
+        } catch (const SceneError& error) {
+            return std::string(error.what());
+        }
+        return std::string();
+    };
+    scene.motion = RollingMotion{0.01};
+    scene.gravity = 1e-60;
+    EXPECT_EQ(message().substr(0, 117),
+              "motion: must slow balls down by nothing, or by at least 1e-50 v^2 / radius at the "
+              "largest speed that they can reach, 8 ");
+    scene.gravity = 1e-40;
+    EXPECT_EQ(message(), "");
+    scene.gravity = 0;
+    EXPECT_EQ(message(), "");
+    scene.gravity = 9.81;
+    scene.balls[0].velocity = {1e30, 0};
+    EXPECT_NE(message(), "");
+    scene.balls[0].velocity = {0, 0};
+    scene.gravity = 1e-300;
+    EXPECT_EQ(message(), "");  // nothing moves
+    scene.motion = ClothMotion{};
+    scene.balls[0].spin = {0, 0, 5};
+    EXPECT_NE(message(), "");
+    scene.motion = ResistedMotion{0, 0, 1e-60, {}};
+    scene.balls[0].velocity = {8, 0};
+    EXPECT_NE(message(), "");
+    scene.motion = ResistedMotion{0, 1e-30, 0.1, {}};
+    EXPECT_EQ(message(), "");
+}
+
 TEST(Validate, AcceptsAValidScene) {
     EXPECT_NO_THROW(validate(valid_scene()));
 }

@@ -1,0 +1,69 @@
+#include "forces.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <variant>
+
+#include "text.hpp"
+
+namespace osculo::facade {
+namespace {
+
+constexpr double kWeakest = 1e-50;
+
+/// What balls may reach by taking the energy of all others, spins counted with the radius [m/s].
+double largest_speed(const Scene& scene) {
+    double energy = 0;
+    double lightest = std::numeric_limits<double>::infinity();
+    for (const Ball& ball : scene.balls) {
+        double speed = std::hypot(ball.velocity.x, ball.velocity.y);
+        for (const double w : ball.spin) speed += ball.radius * std::abs(w);
+        if (scene.cue) speed = std::max(speed, 10 * std::abs(scene.cue->speed));
+        energy += ball.mass * speed * speed;
+        lightest = std::min(lightest, ball.mass);
+    }
+    return energy > 0 ? std::sqrt(energy / lightest) : 0;
+}
+
+/// The smallest deceleration that is not 0 [m/s^2], or infinity.
+double weakest(const Scene& scene, double speed) {
+    double least = std::numeric_limits<double>::infinity();
+    const auto consider = [&](double w) {
+        if (w > 0) least = std::min(least, w);
+    };
+    if (const auto* rolling = std::get_if<RollingMotion>(&scene.motion)) {
+        if (rolling->friction > 0 && scene.gravity > 0)
+            consider(std::max(rolling->friction * scene.gravity, 5e-324));
+    } else if (const auto* cloth = std::get_if<ClothMotion>(&scene.motion)) {
+        for (const double friction :
+             {cloth->sliding_friction, cloth->rolling_friction, cloth->spinning_friction}) {
+            if (friction > 0 && scene.gravity > 0)
+                consider(std::max(friction * scene.gravity, 5e-324));
+        }
+    } else if (const auto* drag = std::get_if<ResistedMotion>(&scene.motion)) {
+        consider(drag->constant);
+        consider(drag->linear * speed);
+        consider(drag->quadratic * speed * speed);
+    }
+    return least;
+}
+
+}  // namespace
+
+void validate_forces(const Scene& scene) {
+    const double speed = largest_speed(scene);
+    if (!(speed > 0)) return;
+    double smallest = std::numeric_limits<double>::infinity();
+    for (const Ball& ball : scene.balls) smallest = std::min(smallest, ball.radius);
+    const double force = weakest(scene, speed);
+    // Division by division: neither the square nor the product may leave the range.
+    if (force / speed * (smallest / speed) >= kWeakest) return;
+    throw SceneError("motion",
+                     concatenated("must slow balls down by nothing, or by at least 1e-50 v^2 / "
+                                  "radius at the largest speed that they can reach, ",
+                                  number_text(speed), " m/s"),
+                     concatenated(number_text(force), " m/s^2"));
+}
+
+}  // namespace osculo::facade
