@@ -266,5 +266,21 @@ TEST(Precision, NamesRoundTrip) {
     EXPECT_FALSE(precision_from_string("single"));
 }
 
+// Found by a fuzzer: a cluster of two contacts went over the limit, and nothing ended the run.
+TEST(Simulate, AClusterAtTheLimitOfEventsEndsTheRun) {
+    // The middle ball is hit from both sides at one instant, then the outer ones come back.
+    Scene scene;
+    test::add_box(scene, 10, 4);
+    scene.balls = {test::ball("a", {2, 2}, {1, 0}), test::ball("b", {5, 2}),
+                   test::ball("c", {8, 2}, {-1, 0})};
+    scene.limits.time = 1000;
+    scene.limits.events = 1;
+    const Run run = simulate(scene);
+    EXPECT_EQ(run.status, Status::event_limit);
+    EXPECT_EQ(run.event_count, 2U);
+    EXPECT_EQ(run.events[0].cluster, run.events[1].cluster);
+    EXPECT_NE(run.events[0].cluster, 0U);
+}
+
 }  // namespace
 }  // namespace osculo

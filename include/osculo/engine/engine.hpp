@@ -263,7 +263,7 @@ Status Engine<Type>::play(const RunLimits<S>& limits, Pause& pause) {
                 continue;
             }
         }
-        if (event_count_ == limits.events) return Status::event_limit;
+        if (event_count_ >= limits.events) return Status::event_limit;
         const bool no_time_passes =
             math::duration<S>(now_, event.when) <=
             S(math::kSameInstant) * math::wide_epsilon<S>() * math::narrow(event.when);
