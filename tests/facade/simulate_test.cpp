@@ -275,7 +275,7 @@ TEST(Simulate, AClusterAtTheLimitOfEventsEndsTheRun) {
                    test::ball("c", {8, 2}, {-1, 0})};
     scene.limits.time = 1000;
     scene.limits.events = 1;
-    const Run run = simulate(scene);
+    const auto run = simulate(scene);
     EXPECT_EQ(run.status, Status::event_limit);
     EXPECT_EQ(run.event_count, 2U);
     EXPECT_EQ(run.events[0].cluster, run.events[1].cluster);
