@@ -27,7 +27,7 @@ double largest_speed(const Scene& scene) {
 }
 
 /// The smallest deceleration that is not 0 [m/s^2], or infinity.
-double weakest(const Scene& scene, double speed) {
+double weakest(const Scene& scene) {
     double least = std::numeric_limits<double>::infinity();
     const auto consider = [&](double w) {
         if (w > 0) least = std::min(least, w);
@@ -41,10 +41,6 @@ double weakest(const Scene& scene, double speed) {
             if (friction > 0 && scene.gravity > 0)
                 consider(std::max(friction * scene.gravity, 5e-324));
         }
-    } else if (const auto* drag = std::get_if<ResistedMotion>(&scene.motion)) {
-        consider(drag->constant);
-        consider(drag->linear * speed);
-        consider(drag->quadratic * speed * speed);
     }
     return least;
 }
@@ -56,7 +52,8 @@ void validate_forces(const Scene& scene) {
     if (!(speed > 0)) return;
     double smallest = std::numeric_limits<double>::infinity();
     for (const Ball& ball : scene.balls) smallest = std::min(smallest, ball.radius);
-    const double force = weakest(scene, speed);
+    const double force = weakest(scene);
+    if (std::isinf(force)) return;
     // Division by division: neither the square nor the product may leave the range.
     if (force / speed * (smallest / speed) >= kWeakest) return;
     throw SceneError("motion",

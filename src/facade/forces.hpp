@@ -9,7 +9,8 @@ namespace osculo::facade {
 /// A path curves by w R / u^2 of its own size, for a deceleration w of a ball of radius R at the
 /// speed u. First contacts form up to the fifth power of that, which below 1e-65 leaves the range
 /// of double and was seen to miss cushions; at least 1e-50 is asked for, of the weakest force and
-/// the smallest ball at the largest speed that the energy of all balls allows.
+/// the smallest ball at the largest speed that the energy of all balls allows. Of rolling and
+/// cloth: with drag, paths are straight.
 void validate_forces(const Scene& scene);
 
 }  // namespace osculo::facade
