@@ -30,11 +30,7 @@ std::optional<std::uint64_t> read_index(const Fields& fields, std::string_view n
 
 void write_certificate(JsonText& json, const Run& run, const Certificate& certificate) {
     constexpr std::string_view kIndent = "    ";
-    const auto key = [&json](std::string_view name) {
-        json.raw(",\n    ");
-        json.string(name);
-        json.raw(": ");
-    };
+    const auto key = [&](std::string_view name) { json.next_member(kIndent, name); };
     json.raw("{\n    \"certain\": ");
     json.boolean(certificate.certain());
     key("reference");

@@ -25,6 +25,14 @@ public:
     void string(std::string_view value);
     void boolean(bool value) { raw(value ? "true" : "false"); }
 
+    /// A further member of an object, on a line of its own; the value is up to the caller.
+    void next_member(std::string_view indent, std::string_view name) {
+        raw(",\n");
+        raw(indent);
+        string(name);
+        raw(": ");
+    }
+
     void vector(Point value);        ///< [x, y]
     void vector(const Spin& value);  ///< [x, y, z]
 

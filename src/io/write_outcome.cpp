@@ -33,11 +33,7 @@ void write_tally(JsonText& json, const std::string& id, const Outcome::Tally& ta
 
 void write_outcome(JsonText& json, const Run& run, const Outcome& outcome) {
     constexpr std::string_view kIndent = "    ";
-    const auto key = [&json](std::string_view name) {
-        json.raw(",\n    ");
-        json.string(name);
-        json.raw(": ");
-    };
+    const auto key = [&](std::string_view name) { json.next_member(kIndent, name); };
     json.raw("{\n    \"kisses\": ");
     json.number(outcome.kisses);
     key("driven_to_cushion");

@@ -97,11 +97,7 @@ void write_audit(JsonText& json, const Audit& audit) {
 
 std::string run_to_json(const Run& run) {
     JsonText json;
-    const auto key = [&json](std::string_view name) {
-        json.raw(",\n  ");
-        json.string(name);
-        json.raw(": ");
-    };
+    const auto key = [&json](std::string_view name) { json.next_member("  ", name); };
     json.raw("{\n  \"schema\": ");
     json.string(kRunSchema);
     key("status");

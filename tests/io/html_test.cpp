@@ -31,23 +31,29 @@ Point shown(const json& data, std::size_t ball, double t) {
             number(3) + wait * (number(5) + wait * number(7) / 2)};
 }
 
+/// Of the places that the page shows, over the run [m].
+double largest_error(const Run& run, const json& data) {
+    double worst = 0;
+    for (int step = 0; step <= 200; ++step) {
+        const double t = run.time * step / 200;
+        for (std::uint32_t b = 0; b < run.balls.size(); ++b) {
+            const auto state = run.at(b, t);
+            if (!state) continue;
+            const Point place = shown(data, b, t);
+            worst = std::max({worst, std::abs(place.x - state->position.x),
+                              std::abs(place.y - state->position.y)});
+        }
+    }
+    return worst;
+}
+
 TEST(Html, ShowsEveryBallWhereItIs) {
     for (const char* name : {"break", "carom", "frictionless-break"}) {
         const osculo::Run run = simulate(presets::make(name));
         const json data = data_of(to_html(run));
         ASSERT_EQ(data["pieces"].size(), run.balls.size());
         EXPECT_EQ(data["end"].get<double>(), run.time);
-        double worst = 0;
-        for (int step = 0; step <= 200; ++step) {
-            const double t = run.time * step / 200;
-            for (std::uint32_t b = 0; b < run.balls.size(); ++b) {
-                const auto state = run.at(b, t);
-                if (!state) continue;
-                const Point place = shown(data, b, t);
-                worst = std::max({worst, std::abs(place.x - state->position.x),
-                                  std::abs(place.y - state->position.y)});
-            }
-        }
+        const double worst = largest_error(run, data);
         EXPECT_LT(worst, 1e-12) << name;
         ASSERT_EQ(data["events"].size(), run.events.size());
         EXPECT_EQ(data["events"].back()[0].get<double>(), run.events.back().time);
@@ -60,17 +66,7 @@ TEST(Html, ShowsOtherPathsByQuadratics) {
     const osculo::Run run = simulate(scene);
     const json data = data_of(to_html(run));
     ASSERT_GT(run.event_count, 3U);
-    double worst = 0;
-    for (int step = 0; step <= 200; ++step) {
-        const double t = run.time * step / 200;
-        for (std::uint32_t b = 0; b < run.balls.size(); ++b) {
-            const auto state = run.at(b, t);
-            if (!state) continue;
-            const Point place = shown(data, b, t);
-            worst = std::max({worst, std::abs(place.x - state->position.x),
-                              std::abs(place.y - state->position.y)});
-        }
-    }
+    const double worst = largest_error(run, data);
     EXPECT_LT(worst, 1e-4);  // a tenth of a pixel of a table drawn 1200 pixels wide
 }
 

@@ -1,6 +1,4 @@
 #include <algorithm>
-#include <array>
-#include <charconv>
 #include <cmath>
 
 #include "io/html/page.hpp"
@@ -24,13 +22,6 @@ std::string_view words(EventKind kind) {
 
 // More than anyone steps through.
 constexpr std::size_t kMostEvents = 5'000;
-
-std::string rounded(double value) {
-    std::array<char, 40> buffer{};
-    const auto result = std::to_chars(buffer.data(), buffer.data() + buffer.size(), value,
-                                      std::chars_format::general, 6);
-    return {buffer.data(), result.ptr};
-}
 
 View view_of(const Run& run, const Outline& outline, double width) {
     Box box = extent(run.scene, &run);
@@ -170,10 +161,11 @@ std::string to_html(const Run& run, double width) {
         view_of(run, outline, std::isfinite(width) ? std::clamp(width, 10.0, 1e5) : 1200);
     std::string page(html::kHead);
     page += "<title>osculo: " + std::to_string(run.balls.size()) + " balls, " +
-            std::to_string(run.event_count) + " events, " + rounded(run.time) + " s</title>\n";
+            std::to_string(run.event_count) + " events, " + rounded(run.time, 6) + " s</title>\n";
     page += "<main>\n<figure>\n" + picture_of(run, view, outline) + html::kControls.data();
-    page += "<small>1 m = " + rounded(view.scale()) + " px in a picture of " + rounded(view.width) +
-            " px; " + std::string(to_string(run.status)) + " at " + rounded(run.time) +
+    page += "<small>1 m = " + rounded(view.scale(), 6) + " px in a picture of " +
+            rounded(view.width, 6) + " px; " + std::string(to_string(run.status)) + " at " +
+            rounded(run.time, 6) +
             " s. Space plays, arrows step from event to event.</small>\n</figure>\n";
     page += "<aside><b>" + std::to_string(run.event_count) + " events</b>";
     if (run.events.size() > kMostEvents) {

@@ -53,6 +53,8 @@ struct Panel {
     double height;
     double shown;  ///< size of a pixel of the drawing on the page [px]
 };
+/// A number for people, with so many digits.
+[[nodiscard]] std::string rounded(double value, int digits);
 struct PathsAndContacts {
     bool paths;
     DrawnContacts contacts;

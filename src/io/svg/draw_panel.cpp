@@ -12,13 +12,6 @@ namespace {
 constexpr std::string_view kDark = "fill=\"#222222\"";
 constexpr std::string_view kGrey = "fill=\"#5b6570\"";
 
-std::string rounded(double value, int digits) {
-    std::array<char, 40> buffer{};
-    const auto result = std::to_chars(buffer.data(), buffer.data() + buffer.size(), value,
-                                      std::chars_format::general, digits);
-    return {buffer.data(), result.ptr};
-}
-
 std::string counted(std::uint64_t count, const std::string& noun) {
     return std::to_string(count) + ' ' + noun + (count == 1 ? "" : "s");
 }
@@ -183,6 +176,13 @@ void draw_events(Canvas& canvas, Lines& lines, const Run& run, std::size_t numbe
 }
 
 }  // namespace
+
+std::string rounded(double value, int digits) {
+    std::array<char, 40> buffer{};
+    const auto result = std::to_chars(buffer.data(), buffer.data() + buffer.size(), value,
+                                      std::chars_format::general, digits);
+    return {buffer.data(), result.ptr};
+}
 
 void draw_panel(Canvas& canvas, const Picture& picture, const Panel& panel, const Run* run,
                 const PathsAndContacts& drawn) {
