@@ -29,18 +29,17 @@ double largest_speed(const Scene& scene) {
 /// The smallest deceleration that is not 0 [m/s^2], or infinity.
 double weakest(const Scene& scene) {
     double least = std::numeric_limits<double>::infinity();
-    const auto consider = [&](double w) {
-        if (w > 0) least = std::min(least, w);
+    const auto consider = [&](double friction) {
+        if (!(friction > 0 && scene.gravity > 0)) return;
+        constexpr double kLeast = std::numeric_limits<double>::denorm_min();  // not 0 by underflow
+        least = std::min(least, std::max(friction * scene.gravity, kLeast));
     };
     if (const auto* rolling = std::get_if<RollingMotion>(&scene.motion)) {
-        if (rolling->friction > 0 && scene.gravity > 0)
-            consider(std::max(rolling->friction * scene.gravity, 5e-324));
+        consider(rolling->friction);
     } else if (const auto* cloth = std::get_if<ClothMotion>(&scene.motion)) {
-        for (const double friction :
-             {cloth->sliding_friction, cloth->rolling_friction, cloth->spinning_friction}) {
-            if (friction > 0 && scene.gravity > 0)
-                consider(std::max(friction * scene.gravity, 5e-324));
-        }
+        consider(cloth->sliding_friction);
+        consider(cloth->rolling_friction);
+        consider(cloth->spinning_friction);
     }
     return least;
 }
