@@ -118,7 +118,9 @@ void write_impacts(JsonText& json, const Scene& scene) {
     members.string("simultaneous", scene.impacts.simultaneous == Simultaneous::symmetric
                                        ? "symmetric"
                                        : "sequential");
-    if (!std::holds_alternative<UniformMotion>(scene.motion)) {
+    // It means nothing to uniform motion, but what was set is given back.
+    if (!std::holds_alternative<UniformMotion>(scene.motion) ||
+        scene.impacts.contact_time != Impacts{}.contact_time) {
         members.number("contact_time", scene.impacts.contact_time);
     }
     if (scene.impacts.rest_speed) members.number("rest_speed", *scene.impacts.rest_speed);

@@ -1,3 +1,4 @@
+#include <cmath>
 #include <functional>
 
 #include <gtest/gtest.h>
@@ -343,6 +344,15 @@ TEST(Audit, AllowsTheOverlapThatASceneStartsWith) {
     Builder<Scene> builder;
     builder.ball({0, 0}, {-1, 0}, 1).ball({2 - 1e-5, 0}, {1, 0}, 1);
     EXPECT_FALSE(play<Scene>(builder.scene, 1).audit().clean);
+}
+
+TEST(Audit, WhatIsNoNumberStaysTheLargest) {
+    RunAudit audit;
+    double figure = 1;
+    audit.note(figure, std::nan(""), false);
+    audit.note(figure, 2, true);
+    EXPECT_TRUE(std::isnan(figure));
+    EXPECT_FALSE(audit.clean);
 }
 
 }  // namespace

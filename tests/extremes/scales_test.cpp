@@ -157,5 +157,32 @@ TEST(Scales, At1e9MetresFromTheOriginAsThere) {
     }
 }
 
+// What presses a ball of 1e-12 kg to one of 1e12 kg gives them more momentum than they met with,
+// which is what its rounding is measured by.
+TEST(Scales, PressedAtAMassRatioOf1e24) {
+    Scene scene;
+    scene.motion = RollingMotion{0.2};
+    scene.balls = {
+        disk("light", {-0.15748031496062992, 0.8503937007874016}, {0, 0}, 1e-12, 0.1),
+        disk("heavy", {-0.057480314960629886, 1.0235987815442893}, {-1e-9, 1e-25}, 1e12, 0.1)};
+    scene.limits = {10, 300};
+    OSCULO_EXPECT_ENDED(played(scene), at_rest);
+}
+
+// Drag of the heavy ball is no measure for the light one: it presses them with what it is.
+TEST(Scales, DragIsAuditedAtTheSpeedsOfTheImpact) {
+    Scene scene;
+    scene.motion = ResistedMotion{0.01, 0.01, 0.01, {}};
+    scene.impacts.ball_ball.restitution = 0.5;
+    scene.balls = {disk("fast", {0, 0}, {1, 0}), disk("struck", {3, 0}),
+                   disk("light", {0, 5}, {1e-3, 0}, 1e-12), disk("slow", {3, 5}, {0, 0}, 1e-12)};
+    scene.limits.time = 10;
+    const Run run = played(scene);
+    OSCULO_EXPECT_ENDED(run, time_limit);
+    ASSERT_GE(run.event_count, 1U);
+    // The loss of the first pair is 3/8 of the energy; nothing else may hide it.
+    EXPECT_NEAR(run.audit->largest_energy_gain, -0.375, 1e-6);
+}
+
 }  // namespace
 }  // namespace osculo::support

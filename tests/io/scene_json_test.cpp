@@ -17,6 +17,12 @@ TEST(SceneJson, RoundTripIsTheIdentity) {
     }
 }
 
+TEST(SceneJson, GivesBackWhatMeansNothingToIt) {
+    Scene scene;  // no force presses anything
+    scene.impacts.contact_time = 0.5;
+    EXPECT_EQ(scene_from_json(scene_to_json(scene)), scene);
+}
+
 TEST(SceneJson, RoundTripOfPresets) {
     for (const presets::Info& info : presets::list()) {
         const Scene scene = presets::make(info.name);

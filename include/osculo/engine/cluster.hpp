@@ -99,6 +99,9 @@ void Engine<Type>::take_from_law(std::size_t m, typename Type::State& state) con
 template <class Type>
 void Engine<Type>::part_cluster() {
     auto& members = cluster_.members;
+    const auto longest_hop = [this](BallIndex ball) {
+        return scene_.bodies[ball].hops.longest(now_, scene_.contact_time);
+    };
     for (std::size_t m = 0; m < members.size(); ++m) {
         members[m].after = members[m].state;
         take_from_law(m, members[m].after);
@@ -111,16 +114,16 @@ void Engine<Type>::part_cluster() {
         Vec velocity = -one.after.velocity;
         Vec half_acceleration = -one.after.half_acceleration;
         S duration = impact::acceleration_time(one.after);
-        S since = scene_.bodies[one.ball].last_impact.since(now_);
+        S hop = longest_hop(one.ball);
         if (contact.other != impact::kFixed) {
             const auto& other = members[contact.other];
             velocity += other.after.velocity;
             half_acceleration += other.after.half_acceleration;
             duration = std::min<S>(duration, impact::acceleration_time(other.after));
-            since = std::min<S>(since, scene_.bodies[other.ball].last_impact.since(now_));
+            hop = std::max<S>(hop, longest_hop(other.ball));
         }
         const Vec unit = contact.normal / math::norm<S>(contact.normal);
-        const S tau = impact::pressing_time<S>(scene_.contact_time, duration, since);
+        const S tau = impact::pressing_time<S>(scene_.contact_time, duration, hop);
         const S speed = impact::least_separation<S>(half_acceleration, unit, tau);
         least.push_back(speed > S(0) ? speed : S(0));
         pressed = pressed || math::dot<S>(velocity, unit) < least.back();
@@ -177,7 +180,7 @@ std::optional<bool> Engine<Type>::resolve_cluster(const Contact& cause) {
         BodyType& body = scene_.bodies[member.ball];
         member.state = body.state;
         take_from_law(m, body.state);
-        if constexpr (Type::Motion::kTransitions) body.last_impact.note(now_);
+        if constexpr (Type::Motion::kTransitions) body.hops.note(now_, scene_.contact_time);
     }
     for (std::size_t k = 0; k < law.contacts.size(); ++k) {
         const auto& contact = law.contacts[k];

@@ -41,9 +41,8 @@ struct Body {
     std::uint32_t last_other = 0;  ///< and with what
     bool present = true;           ///< false once captured
     /// Where forces can press balls together.
-    [[no_unique_address]] std::conditional_t<Type::Motion::kTransitions, impact::LastImpact<S>,
-                                             Nothing>
-        last_impact;
+    [[no_unique_address]] std::conditional_t<Type::Motion::kTransitions, impact::Hops<S>, Nothing>
+        hops;
 };
 
 /// The impact laws of balls with spin; nothing for others.
@@ -265,8 +264,7 @@ Status Engine<Type>::play(const RunLimits<S>& limits, Pause& pause) {
         }
         if (event_count_ >= limits.events) return Status::event_limit;
         const bool no_time_passes =
-            math::duration<S>(now_, event.when) <=
-            S(math::kSameInstant) * math::wide_epsilon<S>() * math::narrow(event.when);
+            math::duration<S>(now_, event.when) <= math::resolution<S>(event.when);
         pause.at_this_instant = no_time_passes ? pause.at_this_instant + 1 : 0;
         if (pause.at_this_instant > most_at_one_instant) return Status::zeno;
         now_ = event.when;

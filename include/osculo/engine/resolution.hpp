@@ -39,12 +39,12 @@ void Engine<Type>::resolve_balls(BodyType& one, BodyType& other, const Vec& norm
 template <class Type>
 typename Engine<Type>::S Engine<Type>::pressing_time(std::initializer_list<BodyType*> bodies) {
     S duration = math::never<S>();
-    S since = math::never<S>();
+    S hop(0);
     for (BodyType* body : bodies) {
         duration = std::min<S>(duration, impact::acceleration_time(body->state));
-        since = std::min<S>(since, body->last_impact.note(now_));
+        hop = std::max<S>(hop, body->hops.note(now_, scene_.contact_time));
     }
-    return impact::pressing_time<S>(scene_.contact_time, duration, since);
+    return impact::pressing_time<S>(scene_.contact_time, duration, hop);
 }
 
 template <class Type>

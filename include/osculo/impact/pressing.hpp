@@ -20,8 +20,11 @@
 ///
 /// A force that ends sooner, for the ball has stopped slipping by then, presses no longer than it
 /// lasts, and tau is that time: a ball that just reaches another one does not push it away. So that
-/// ever shorter slides do not follow each other for ever, tau is also at least twice the time since
-/// the ball's last impact, if that was within the contact time: hops that follow each other double.
+/// ever shorter slides do not follow each other for ever, tau is also at least twice the longest
+/// hop of the ball, of those that have followed each other: hops double, from one on that the clock
+/// can tell from none. (The longest, not the last: where two phases take turns, one presses and the
+/// other does not.) They follow each other within twice the contact time, for a hop of that time
+/// takes a little longer where the force lessens.
 namespace osculo::impact {
 
 /// How long a ball goes on accelerating as it does [s]: where that lessens as time goes by, until
@@ -38,32 +41,35 @@ template <class State>
                : state.remaining;
 }
 
-/// When a ball had its last impact.
+/// The hops of a ball: times between impacts that followed each other.
 template <math::Scalar S>
-class LastImpact {
+class Hops {
 public:
-    /// The time since then, or never() [s].
-    [[nodiscard]] S since(const math::Instant<S>& now) const {
-        return any_ ? math::duration<S>(when_, now) : math::never<S>();
+    /// The longest, with an impact now, and no shorter than time passes at all; 0 if the last
+    /// impact was longer ago than twice the contact time [s].
+    [[nodiscard]] S longest(const math::Instant<S>& now, const S& contact_time) const {
+        if (!any_) return S(0);
+        const S hop = std::max<S>(math::duration<S>(last_, now), math::resolution<S>(now));
+        return hop <= S(2) * contact_time ? std::max<S>(longest_, hop) : S(0);
     }
-    /// Notes another one; the time since the last one, as above.
-    S note(const math::Instant<S>& now) {
-        const S result = since(now);
-        when_ = now;
+    /// Notes an impact; returns the longest.
+    S note(const math::Instant<S>& now, const S& contact_time) {
+        longest_ = longest(now, contact_time);
+        last_ = now;
         any_ = true;
-        return result;
+        return longest_;
     }
 
 private:
-    math::Instant<S> when_{S(0)};
+    math::Instant<S> last_{S(0)};
+    S longest_{0};
     bool any_ = false;
 };
 
-/// tau [s] for a force that lasts for [duration], after an impact [since] ago.
+/// tau [s] for a force that lasts for [duration], after hops of which the longest took [hop].
 template <math::Scalar S>
-[[nodiscard]] S pressing_time(const S& contact_time, const S& duration, const S& since) {
-    const S least = since <= contact_time ? S(S(2) * since) : S(0);
-    return std::min<S>(contact_time, std::max<S>(duration, least));
+[[nodiscard]] S pressing_time(const S& contact_time, const S& duration, const S& hop) {
+    return std::min<S>(contact_time, std::max<S>(duration, S(2) * hop));
 }
 
 /// The separation speed along [normal] (a unit vector) that it takes, a tau / 2, for half the

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "osculo/math/error_bounds.hpp"
 #include "osculo/math/wide.hpp"
 
 namespace osculo::math {
@@ -18,6 +19,13 @@ template <Scalar S>
 template <Scalar S>
 [[nodiscard]] Instant<S> after(const Instant<S>& start, const S& wait) {
     return is_finite<S>(wait) ? Instant<S>(start + wait) : Instant<S>(wait);
+}
+
+/// The least time that passes after this instant, other than none: shorter ones are lost in a sum
+/// with it [s].
+template <Scalar S>
+[[nodiscard]] S resolution(const Instant<S>& instant) {
+    return S(kSameInstant) * wide_epsilon<S>() * narrow(instant);
 }
 
 /// True for the instant of what does not happen.

@@ -86,8 +86,8 @@ private:
         S before{0}, momentum{0};
         for (const Part& part : parts) {
             add_energy(scene_.bodies[part.ball], part.before, part.after, speed, gain, before);
-            momentum = momentum + scene_.bodies[part.ball].mass *
-                                      (math::norm<S>(part.before.velocity) / speed);
+            momentum =
+                momentum + momentum_of(scene_.bodies[part.ball], part.before, part.after, speed);
         }
         for (const Event& event : events) {
             Event last = event;
@@ -233,9 +233,10 @@ private:
     /// impact/pressing.hpp. It shows in how slowly they part.
     S gain_of_pressing(const Event& event, std::size_t balls) const {
         if constexpr (Type::Motion::kTransitions) {
-            const S count(static_cast<int>(balls));
-            const S least =
-                count * largest_acceleration<S>(scene_.motion) * scene_.contact_time / S(2);
+            S least(0);
+            for (std::size_t k = 0; k < balls; ++k) {
+                least = least + pressing_acceleration(event, balls, k) * scene_.contact_time / S(2);
+            }
             Vec apart = -event.after[0].velocity;
             S noise = least + math::norm1<S>(apart);
             S mass = body(event, 0).mass;
@@ -253,23 +254,50 @@ private:
         }
     }
 
+    /// What a ball of that impact can be pressed with [m/s^2]: at twice the sum of all speeds there
+    /// are, for that is the most that a light ball gets from a heavy one.
+    S pressing_acceleration(const Event& event, std::size_t balls, std::size_t of) const {
+        S result = largest_acceleration<S>(scene_.motion);
+        if constexpr (ResistedState<std::decay_t<decltype(scene_.bodies[0].state)>, S>) {
+            S speed(0);
+            for (std::size_t k = 0; k < balls; ++k) {
+                for (const Memory* memory : {&event.before[k], &event.after[k]}) {
+                    const Spin turning = turning_of(*memory, body(event, k));
+                    speed = speed + math::norm<S>(memory->velocity) +
+                            math::square_root<S>(turning.dot(turning));
+                }
+            }
+            result = std::min<S>(result, acceleration_at<S>(body(event, of).state, S(2) * speed));
+        }
+        return result;
+    }
+
     void check_momentum(const Event& event, const S& speed, RunAudit& result) const {
         S before{0};
         for (std::size_t k = 0; k < 2; ++k) {
-            before = before + body(event, k).mass * math::norm<S>(event.before[k].velocity) / speed;
+            before = before + momentum_of(body(event, k), event.before[k], event.after[k], speed);
         }
         note_momentum(event, speed, before, result);
     }
-    /// Two balls: what one gets the other gives. [before]: momentum that this is measured by.
-    void note_momentum(const Event& event, const S& speed, const S& before,
-                       RunAudit& result) const {
+    /// What the rounding of a ball's momentum is measured by, over [speed]: that before, or where
+    /// things that are pressed together part faster than they met, that after.
+    static S momentum_of(const Body<Type>& ball, const Memory& was, const Memory& is,
+                         const S& speed) {
+        S fastest = math::norm<S>(was.velocity);
+        if constexpr (Type::Motion::kTransitions) {
+            fastest = std::max<S>(fastest, math::norm<S>(is.velocity));
+        }
+        return ball.mass * (fastest / speed);
+    }
+    /// Two balls: what one gets the other gives. [scale]: momentum that this is measured by.
+    void note_momentum(const Event& event, const S& speed, const S& scale, RunAudit& result) const {
         Vec change(S(0), S(0));
         for (std::size_t k = 0; k < 2; ++k) {
             change += body(event, k).mass *
                       Vec((event.after[k].velocity - event.before[k].velocity) / speed);
         }
         const S error = math::norm<S>(change);
-        const S share = error == S(0) ? error : S(error / before);
+        const S share = error == S(0) ? error : S(error / scale);
         const int bound = event.cluster.number != 0 ? math::kClusterMomentum
                           : Type::Motion::kSpin     ? math::kFrictionMomentum
                                                     : math::kImpactMomentum;

@@ -269,5 +269,11 @@ template <math::Scalar S>
 [[nodiscard]] S largest_acceleration(const motion::Resisted::Parameters<S>& law) {
     return law.largest;
 }
+/// That of one ball at a speed.
+template <math::Scalar S, ResistedState<S> State>
+[[nodiscard]] S acceleration_at(const State& state, const S& speed) {
+    const motion::Resistance<S>& law = state.law;
+    return law.constant + speed * (law.linear + speed * law.quadratic);
+}
 
 }  // namespace osculo::engine

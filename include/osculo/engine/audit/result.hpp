@@ -22,7 +22,8 @@ struct RunAudit {
     /// before (negative: every impact lost some), less what impact/pressing.hpp may add; 0 without
     /// impacts.
     double largest_energy_gain = 0;
-    /// Largest change of momentum at one event of two balls, over the sum of |m v| before.
+    /// Largest change of momentum at one event of two balls, over the sum of |m v| before (where
+    /// things can be pressed together: before or after, if that is more).
     double largest_momentum_error = 0;
     /// Smallest distance between the boundaries of two things, over the smaller radius, when it
     /// was reached [s] and by what. Infinite, and nothing named, if no two things can touch.
@@ -45,7 +46,8 @@ struct RunAudit {
 
     /// Takes a figure of which the largest counts. NaN counts as the largest.
     void note(double& figure, double value, bool explained) {
-        if (!(value <= figure)) figure = value;
+        const bool is_number = figure == figure;
+        if (is_number && !(value <= figure)) figure = value;
         clean = clean && explained;
     }
 };
