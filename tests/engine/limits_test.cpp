@@ -183,6 +183,21 @@ TEST(Limits, WhatTheScalarCannotHoldIsNumeric) {
     EXPECT_TRUE(played.status == Status::numeric || played.audit().clean);
 }
 
+// A ball so small that it goes a part of its radius in the least time that the clock can tell.
+TEST(Limits, WhereTheClockCannotTellIsNumeric) {
+    using Type = TableScene<double>;
+    for (const double share : {0.1, 0.9, 1.1, 10.0}) {
+        Builder<Type> builder;
+        builder.wall({1, -1}, {1, 1}, true).ball({0, 0}, {1, 0});
+        auto& body = builder.scene.bodies[0];
+        // It meets the wall at 1 s, where it may go that share of what it must not.
+        body.radius = math::resolution<double>(1.0) / (share * math::kUnresolved);
+        engine::Engine<Type> engine(builder.scene);
+        EXPECT_EQ(engine.run({10, 10}), share < 1 ? Status::time_limit : Status::numeric) << share;
+        EXPECT_EQ(engine.event_count(), share < 1 ? 1u : 0u) << share;
+    }
+}
+
 TEST(Limits, TheSameSceneIsTheSameRun) {
     const auto scene = gas<Scene>(12, 0.4, 9).scene;
     EXPECT_TRUE(same_bits(play<Scene>(scene, 1e9, 1000), play<Scene>(scene, 1e9, 1000)));

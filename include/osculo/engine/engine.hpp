@@ -198,6 +198,7 @@ private:
     void record_cluster(bool well_posed);
 
     [[nodiscard]] bool carry_out(const Scheduled& event);
+    [[nodiscard]] bool resolves(BallIndex i) const;
     [[nodiscard]] bool collide_balls(const Contact& contact);
     template <std::size_t K>
     [[nodiscard]] bool meet_obstacle(const Contact& contact);
@@ -296,6 +297,8 @@ bool Engine<Type>::visit_kind(Kind kind, F&& f) {
 /// False if the event could not be resolved in this scalar type.
 template <class Type>
 bool Engine<Type>::carry_out(const Scheduled& event) {
+    if (!resolves(event.first) || (event.kind == kBallBall && !resolves(event.second)))
+        return false;
     if constexpr (Type::Motion::kTransitions) {
         if (event.kind == kTransition) {
             change_phase(event.first);
@@ -315,6 +318,14 @@ bool Engine<Type>::carry_out(const Scheduled& event) {
     if (contact.kind == kBallBall) return collide_balls(contact);
     return visit_kind(contact.kind,
                       [&](auto kind) { return meet_obstacle<decltype(kind)::value>(contact); });
+}
+
+/// Whether the clock can tell where the ball is.
+template <class Type>
+bool Engine<Type>::resolves(BallIndex i) const {
+    const BodyType& body = scene_.bodies[i];
+    return math::norm1<S>(body.state.velocity) * math::resolution<S>(now_) <=
+           S(math::kUnresolved) * body.radius;
 }
 
 /// Whether it is an event at which something is hit.

@@ -51,6 +51,13 @@ inline constexpr int kContactGap = 8;
 /// at speeds of which nothing is left would take a part of a rounding every few events, for ever.
 inline constexpr int kSameInstant = 1;
 
+/// How far a ball may go in the least time that the clock can tell, in units of its radius, when it
+/// has an event. Where it is, is no more certain than that: of balls that go farther the contacts
+/// could as well be others, and a run ends with `numeric`. Far above what rounding leaves anywhere
+/// else (a ball gets there on paths of 1e25 radii, or when it is faster and faster), and far below
+/// what could hide a contact.
+inline constexpr double kUnresolved = 0x1p-20;
+
 /// What one impact may gain in energy, in units of epsilon times the energy of its balls, and lose
 /// in momentum, in units of epsilon times the sum of their |m v|. With u = epsilon / 2: the impulse
 /// errs by 9 u of the relative velocity, its two products by 2 u, the new velocities by 1 u. As an
