@@ -172,8 +172,7 @@ template <math::Scalar S>
 }
 template <math::Scalar S>
 [[nodiscard]] S motion_scale(const motion::Resisted::State<S>& state, const S& t) {
-    return math::norm1<S>(state.velocity) +
-           S(2) * std::min<S>(t, state.remaining) * math::norm1<S>(state.half_acceleration);
+    return math::norm1<S>(state.velocity) + S(2) * t * math::norm1<S>(state.half_acceleration);
 }
 template <math::Scalar S>
 [[nodiscard]] S twice_energy_per_mass(const motion::Resisted::State<S>& state) {
