@@ -5,6 +5,7 @@
 #include "osculo/impact/restitution.hpp"
 #include "osculo/math/first_root.hpp"
 #include "osculo/math/first_root_parabolic.hpp"
+#include "osculo/math/instant.hpp"
 #include "support/contact_families.hpp"
 #include "support/exact_scalars.hpp"
 
@@ -184,6 +185,29 @@ TYPED_TEST(AnyBounds, ContactGapCoversWhatAnyContactLeaves) {
     }
     EXPECT_LE(worst, S(math::kContactGap));
     EXPECT_GT(worst, S(math::kContactGap) / 10);
+}
+
+/// In the sum of an instant and a wait: 1/2 for types that are their own wide type, less for the
+/// others, whose wide epsilon is a bound for products too.
+TYPED_TEST(AnyBounds, SameInstantIsWhatIsLostInTheSumWithAWait) {
+    using S = TypeParam;
+    using R = ExactFor<S>;
+    Random random(28);
+    R worst = 0;
+    for (int i = 0; i < kCasesOf<S>; ++i) {
+        const S early = random.magnitude<S>(-10, 30);
+        const math::Instant<S> now =
+            math::after<S>(math::Instant<S>(early), S(early * random.magnitude<S>(-60, 0)));
+        const S wait = early * random.magnitude<S>(-120, 0);
+        const math::Instant<S> then = math::after<S>(now, wait);
+        const R lost = abs(R(exact<R>(then) - exact<R>(now) - exact<R>(wait)));
+        worst =
+            std::max(worst, R(lost / exact<R>(S(math::wide_epsilon<S>() * math::narrow(then)))));
+    }
+    EXPECT_LE(worst, math::kSameInstant);
+    if (!math::Builtin<S>) {
+        EXPECT_GT(worst, R(math::kSameInstant) / 10);
+    }
 }
 
 TEST(Bounds, StartOverlapCoversTouchingBallsTypedWithEightDigits) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "osculo/detect/ball_segment.hpp"
 #include "osculo/geometry/arc.hpp"
 #include "osculo/geometry/point.hpp"
 #include "osculo/geometry/segment.hpp"
@@ -17,11 +18,16 @@ template <math::Scalar S>
 template <math::Scalar S>
 [[nodiscard]] bool touches(const math::WidePoint<S>& position, const S& radius,
                            const geometry::Segment<S>& segment, const S& tolerance) {
-    const math::Vec<S> c = math::difference<S>(position, segment.from);
-    const S distance = math::dot<S>(c, segment.normal);
+    const math::WidePoint<S> wide_c = math::wide_difference<S>(position, segment.from);
+    const math::Vec<S> c = wide_c.rounded();
     const S foot = math::dot<S>(c, segment.tangent);
-    return foot >= S(0) && foot <= segment.length && math::abs<S>(distance) <= radius + tolerance &&
-           (!segment.one_sided || distance >= S(0));
+    if (foot < S(0) || segment.length < foot) return false;
+    math::Vec<S> normal = segment.normal;
+    if (math::dot<S>(c, normal) < S(0)) {
+        if (segment.one_sided) return false;
+        normal = -normal;
+    }
+    return math::narrow(detail::line_gap<S>(wide_c, normal, radius)) <= tolerance;
 }
 
 template <math::Scalar S>

@@ -99,13 +99,19 @@ inline constexpr int kPathNoise = 8;
 /// places at an instant are speeds times that.
 inline constexpr int kTogether = 32;
 
-/// What a cluster may gain in energy, in units of epsilon times the energy of its balls, what the
-/// impulse of one of its contacts may lose in momentum, in units of epsilon times the sum of |m v|,
-/// and how fast its pairs may still approach, in units of epsilon times its largest speed: the
-/// tolerance of the reflections (impact/symmetric.hpp), which stop at what approaches by less.
-inline constexpr int kClusterEnergy = 512;
-inline constexpr int kClusterMomentum = 512;
-inline constexpr int kClusterClosing = 512;
+/// What a cluster may gain in energy, in units of epsilon times the energy of its balls, and what
+/// the impulse of one of its contacts may lose in momentum, in units of epsilon times the sum of
+/// the largest |m v| of each of them. A light ball between heavy ones is reflected to and fro up to
+/// 10,000 times (SymmetricSolver::kMostReflections), and each time the heavy ones' velocities are
+/// rounded by up to 1/2 ulp, mostly in one direction: 5,000 epsilon if they were all at their
+/// worst, 330 (mass ratios of 1e12) and 160 (1e6) in the worst of 400,000 random clusters.
+inline constexpr int kClusterEnergy = 1024;
+inline constexpr int kClusterMomentum = 1024;
+
+/// How fast the pairs of a cluster may still approach, in units of epsilon times its largest speed.
+/// The solver ends at kVelocityNoise times the speeds of both before and after, two of each, that
+/// is 4 times that, and twice as much where balls are stirred in between.
+inline constexpr int kClusterClosing = 32;
 
 /// Contacts of a cluster approach if stopping the pair would take more than the square of this many
 /// epsilon out of the cluster's energy, in units of that of |y|, the root of twice the energy:
@@ -116,8 +122,9 @@ inline constexpr int kClusterClosing = 512;
 inline constexpr int kClusterApproach = 256;
 
 /// A contact whose unit vector (in the metric of the masses) is this many epsilon from the span of
-/// others lies in it: 1 for each of the vectors, 1 for each of two orthogonalisations, the rest for
-/// the normals, as above.
+/// others, times 1 + the sum of their shares in it, lies in it: 1 for each of the vectors, 1 for
+/// each of two orthogonalisations, the rest for the normals, as above. Without the shares, that of
+/// light balls and heavy ones in a row between two walls, a jam would be taken for a way out.
 inline constexpr int kClusterDependent = 64;
 
 /// Contacts cannot all separate if a sum of their unit vectors, of positive shares that add up to

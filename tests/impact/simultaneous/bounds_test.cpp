@@ -117,6 +117,39 @@ TEST(ClusterBounds, NoiseIsNoFunnel) {
     }
 }
 
+/// Balls of all masses in a row between two walls cannot move along it. That one contact depends on
+/// the others must not be lost in the rounding of their shares: the impulses would be endless.
+TEST(ClusterBounds, ARowOfAnyMassesBetweenWallsIsJammed) {
+    Random random(424605);
+    SymmetricSolver<double> solver;
+    for (int i = 0; i < 5000; ++i) {
+        const Point axis = random.direction<double>();
+        Stage<double> stage;
+        const double e = random.coin() ? 1 : random.unit<double>();
+        const int count = random.between(3, 8);
+        for (int k = 0; k < count; ++k) {
+            const double mass = random.magnitude<double>(-20, 19);
+            const auto b = static_cast<std::size_t>(k);
+            stage.ball(2 * k * axis, random.unit<double>() * random.direction<double>(), mass);
+            if (k > 0) stage.touch(b - 1, b, e);
+        }
+        stage.wall(0, -axis, e);
+        stage.wall(static_cast<std::size_t>(count - 1), axis, e);
+        auto cluster = stage.cluster;
+        solver.resolve(cluster);
+        double before = 0, after = 0, load = 0, bearable = 0;
+        for (std::size_t b = 0; b < cluster.balls.size(); ++b) {
+            const double mass = cluster.balls[b].mass;
+            before += mass * stage.cluster.balls[b].velocity.squaredNorm();
+            after += mass * cluster.balls[b].velocity.squaredNorm();
+            bearable += mass;
+        }
+        for (const auto& contact : cluster.contacts) load = std::max(load, contact.impulse);
+        EXPECT_LE(after, before * (1 + math::kClusterEnergy * kEpsilon)) << "case " << i;
+        EXPECT_LE(load, bearable * SymmetricSolver<double>::kMostReflections) << "case " << i;
+    }
+}
+
 /// What rounding alone makes of the energy of elastic chains, measured as the law measures it.
 TEST(ClusterBounds, GainIsMoreThanRounding) {
     Random random(424604);

@@ -56,6 +56,7 @@ private:
     struct Part {
         BallIndex ball;
         Memory before, after;
+        S speed{0};  // the largest in between
     };
 
     /// Its contacts touch; together they make no energy and leave nothing approaching; each keeps
@@ -75,6 +76,7 @@ private:
                 }
                 part->after = event.after[k];
                 for (const Memory* of : {&event.before[k], &event.after[k]}) {
+                    part->speed = std::max<S>(part->speed, math::norm<S>(of->velocity));
                     speed = std::max<S>(speed, math::norm_max<S>(of->velocity));
                     for (const S& turning : turning_of(*of, scene_.bodies[ball])) {
                         speed = std::max<S>(speed, math::abs<S>(turning));
@@ -86,8 +88,8 @@ private:
         S before{0}, momentum{0};
         for (const Part& part : parts) {
             add_energy(scene_.bodies[part.ball], part.before, part.after, speed, gain, before);
-            momentum =
-                momentum + momentum_of(scene_.bodies[part.ball], part.before, part.after, speed);
+            // A light ball gives heavy ones more, to and fro, than it had.
+            momentum = momentum + scene_.bodies[part.ball].mass * (part.speed / speed);
         }
         for (const Event& event : events) {
             Event last = event;

@@ -22,6 +22,7 @@ public:
         if (q_.size() < rows * rows) q_.resize(rows * rows);
         if (r_.size() < rows * rows) r_.resize(rows * rows);
         if (rest_.size() < rows) rest_.resize(rows);
+        if (parts_.size() < rows) parts_.resize(rows);
     }
 
     [[nodiscard]] std::size_t size() const { return size_; }
@@ -48,6 +49,21 @@ public:
         for (std::size_t i = 0; i < rows_; ++i) square += rest_[i] * rest_[i];
         column[size_] = math::square_root<S>(square);
         return column[size_];
+    }
+
+    /// Of the column last measured: 1 + the sum of the |c| of what it is nearest to, the sum of c
+    /// times the columns here. So much the rounding of columns counts in its distance. That must
+    /// be > 0.
+    [[nodiscard]] S weight() {
+        const S* column = &r_[size_ * rows_];
+        S sum(1);
+        for (std::size_t j = size_; j-- > 0;) {
+            S part = column[j];
+            for (std::size_t k = j + 1; k < size_; ++k) part -= r_[k * rows_ + j] * parts_[k];
+            parts_[j] = part / r_[j * rows_ + j];
+            sum += math::abs<S>(parts_[j]);
+        }
+        return sum;
     }
 
     /// Takes in the column last measured. Its distance must be > 0.
@@ -101,9 +117,10 @@ private:
 
     std::size_t rows_ = 0;
     std::size_t size_ = 0;
-    std::vector<S> q_;     // by columns
-    std::vector<S> r_;     // by columns
-    std::vector<S> rest_;  // of the column last measured
+    std::vector<S> q_;      // by columns
+    std::vector<S> r_;      // by columns
+    std::vector<S> rest_;   // of the column last measured
+    std::vector<S> parts_;  // of what it is nearest to
 };
 
 }  // namespace osculo::impact::symmetric

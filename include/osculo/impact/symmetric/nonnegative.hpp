@@ -128,7 +128,9 @@ private:
 
     /// Takes a column in and goes to the smallest value, leaving out what would become negative.
     bool enter(std::size_t k) {
-        if (!(distance(k) > S(math::kClusterDependent) * math::epsilon<S>())) return false;
+        const S far = distance(k);
+        const S least = S(math::kClusterDependent) * math::epsilon<S>();
+        if (!(far > least) || !(far > least * basis_.weight())) return false;
         basis_.append();
         items_[k].place = places_.size();
         places_.push_back(k);

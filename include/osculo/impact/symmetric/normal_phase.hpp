@@ -230,7 +230,10 @@ private:
         for (std::size_t k = 0; k < impulses_.size(); ++k) push(k, factor * projection_.x(k));
         system_.apply();
         for (int pass = 0; pass < kRefinements; ++pass) {
-            projection_.refine(system_, factor, [&](std::size_t k, const S& x) { push(k, x); });
+            // What is next to nothing may be refined to less: contacts do not pull.
+            projection_.refine(system_, factor, [&](std::size_t k, const S& x) {
+                push(k, impulses_[k] + x < S(0) ? S(-impulses_[k]) : x);
+            });
             system_.apply();
         }
     }
