@@ -49,6 +49,8 @@ enum class Phase {
     sliding,
     resisted,  ///< slowing down by drag
     rim,       ///< pulled by a rim
+    tipping,   ///< on the edge of a rim
+    flying,    ///< off the edge of a rim; from there to itself or tipping, it has hit the edge
 };
 
 /// The phase as it is written in files: "uniform", "rest", ...
@@ -61,6 +63,8 @@ enum class Phase {
         case Phase::sliding: return "sliding";
         case Phase::resisted: return "resisted";
         case Phase::rim: return "rim";
+        case Phase::tipping: return "tipping";
+        case Phase::flying: return "flying";
     }
     return "uniform";
 }
@@ -113,7 +117,10 @@ struct Event {
 ///
 /// In a rim with the law paper, position and velocity at `from` are the start of a motion with the
 /// energy and the angular momentum that it has there (osculo/motion/rim_paper.hpp); Run::along()
-/// follows it. Its spin stays.
+/// follows it. Its spin stays. In one with the law tipping, the ball moves in space: in the phase
+/// flying as above, its centre at height + climb T - gravity T^2 / 2 over the table's plane; in the
+/// phase tipping it stays on the edge, which is without friction but that what moves it has to turn
+/// inertia m r^2 too (osculo/motion/rim_tipping_stay.hpp).
 struct Piece {
     std::uint32_t ball = 0;  ///< index into scene.balls
     double from = 0;         ///< [s]
@@ -129,7 +136,10 @@ struct Piece {
     /// constant [m/s^2], linear [1/s] and quadratic [1/m] deceleration, in the phase `resisted`
     std::array<double, 3> resistance{};
     Phase phase = Phase::uniform;
-    std::uint32_t rim = 0;  ///< of the phase rim: index into scene.rims
+    std::uint32_t rim = 0;  ///< of the phases rim, tipping and flying: index into scene.rims
+    double height = 0;      ///< of the phases tipping and flying: of the centre, at `from` [m],
+    double climb = 0;       ///< and how fast that changes [m/s]
+    double inertia = 0;     ///< of the phase tipping
     friend bool operator==(const Piece&, const Piece&) = default;
 };
 

@@ -63,13 +63,15 @@ struct Arc {
 enum class RimLaw {
     capture,  ///< it is gone
     paper,    ///< it is pulled towards the centre, and falls or leaves; not on a cloth
+    tipping,  ///< a rigid ball tips over the edge, flies, hits the edge, falls or crosses: likewise
 };
 
-/// The law as it is written in files: "capture", "paper".
+/// The law as it is written in files: "capture", "paper", "tipping".
 [[nodiscard]] constexpr std::string_view to_string(RimLaw law) {
     switch (law) {
         case RimLaw::capture: return "capture";
         case RimLaw::paper: return "paper";
+        case RimLaw::tipping: return "tipping";
     }
     return "capture";
 }
@@ -79,7 +81,9 @@ struct Rim {
     std::string id;
     Point center;
     double radius = 1;             ///< [m], > 0
-    RimLaw law = RimLaw::capture;  ///< rims with the law paper do not overlap each other
+    RimLaw law = RimLaw::capture;  ///< rims with other laws do not overlap, and have all the same
+    /// Of the edge, in [0, 1]; with the law tipping. Left out: that of cushions.
+    std::optional<double> restitution{};
     friend bool operator==(const Rim&, const Rim&) = default;
 };
 

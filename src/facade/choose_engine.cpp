@@ -19,8 +19,8 @@ bool has_discs(const Scene& scene) {
             scene.impacts.ball_cushion.law == CushionLaw::frictional);
 }
 
-bool has_pulling_rims(const Scene& scene) {
-    return std::ranges::any_of(scene.rims, [](const Rim& rim) { return rim.law == RimLaw::paper; });
+bool has_rims(const Scene& scene, RimLaw law) {
+    return std::ranges::any_of(scene.rims, [law](const Rim& rim) { return rim.law == law; });
 }
 
 /// Discs have one engine for every motion law and cushion of theirs; rims that pull have one for
@@ -28,10 +28,12 @@ bool has_pulling_rims(const Scene& scene) {
 bool covers_laws(const ReadyEngine& engine, const Scene& scene) {
     if (has_discs(scene)) return engine.discs;
     const auto motion = static_cast<MotionKind>(scene.motion.index());
-    const bool pulls = has_pulling_rims(scene);
-    const bool moves = engine.motion == motion || (pulls && motion == MotionKind::uniform &&
-                                                   engine.motion == MotionKind::rolling);
-    return !engine.discs && moves && engine.pulling_rims == pulls &&
+    const bool pulls = has_rims(scene, RimLaw::paper);
+    const bool tips = has_rims(scene, RimLaw::tipping);
+    const bool moves =
+        engine.motion == motion ||
+        ((pulls || tips) && motion == MotionKind::uniform && engine.motion == MotionKind::rolling);
+    return !engine.discs && moves && engine.pulling_rims == pulls && engine.tipping_rims == tips &&
            engine.cushion == scene.impacts.ball_cushion.law;
 }
 
@@ -55,6 +57,7 @@ const ReadyEngine& narrowest_engine(const Scene& scene, const Options& options, 
                             double_resisted_engines(),
                             double_disc_engines(),
                             double_rims_engines(),
+                            double_tipping_rims_engines(),
                             double_cloth_engines(),
                             double_cloth_han_engines(),
                             double_cloth_mathavan_engines(),
@@ -68,6 +71,7 @@ const ReadyEngine& narrowest_engine(const Scene& scene, const Options& options, 
                             double_resisted_symmetric_engines(),
                             double_disc_symmetric_engines(),
                             double_rims_symmetric_engines(),
+                            double_tipping_rims_symmetric_engines(),
                             double_cloth_symmetric_engines(),
                             double_cloth_han_symmetric_engines(),
                             double_cloth_mathavan_symmetric_engines(),

@@ -29,7 +29,7 @@ struct CompiledScene {
     std::vector<std::uint32_t> segments;
     std::vector<std::uint32_t> arcs;
     std::vector<std::uint32_t> rims;          ///< that capture
-    std::vector<std::uint32_t> pulling_rims;  ///< with the law paper
+    std::vector<std::uint32_t> pulling_rims;  ///< with another law
     std::vector<std::string> points;          ///< names of the end points, by the engine's number
 };
 
@@ -120,6 +120,12 @@ template <math::Scalar S>
     return result;
 }
 
+/// Whether balls tip over the edges of rims.
+template <class Type>
+inline constexpr bool kTips = requires(typename Type::MotionParameters law) {
+    law.restitutions;
+};
+
 /// The ball at the start, struck if the scene's cue strikes it.
 template <class Type>
 [[nodiscard]] engine::Body<Type> compile_ball(const Scene& scene, const Ball& ball) {
@@ -133,6 +139,10 @@ template <class Type>
         body.state.law = compile_resistance<S>(scene, ball);
     }
     if constexpr (engine::kHasRims<typename Type::Motion>) body.state.ball_radius = S(ball.radius);
+    if constexpr (kTips<Type>) {  // what rolls on the table does so on the edge
+        const bool rolls = std::holds_alternative<RollingMotion>(scene.motion);
+        body.state.inertia = rolls ? S(ball.inertia) : S(0);
+    }
     if constexpr (Type::Motion::kSpin) {
         body.state.spin = {S(ball.spin[0]), S(ball.spin[1]), S(ball.spin[2])};
         body.state.radius = S(ball.radius);
@@ -163,6 +173,7 @@ void compile_laws(const Scene& scene, engine::SceneData<Type>& data) {
         }
         data.motion.gravity = g;
     }
+    if constexpr (kTips<Type>) data.motion.contact_time = S(scene.impacts.contact_time);
     if constexpr (std::is_same_v<typename Type::Motion, motion::Cloth>) {
         const auto& cloth = std::get<ClothMotion>(scene.motion);
         data.motion = {S(cloth.sliding_friction) * g, S(cloth.rolling_friction) * g,
@@ -246,11 +257,11 @@ template <class Type>
             points.add(arcs.back().start_point(), scene.arcs[k].id + ".from");
             points.add(arcs.back().end_point(), scene.arcs[k].id + ".to");
         }
-        const auto is_paper = [&](std::uint32_t k) { return scene.rims[k].law == RimLaw::paper; };
+        const auto pulls = [&](std::uint32_t k) { return scene.rims[k].law != RimLaw::capture; };
         result.rims = order_by_id(scene.rims);
         std::copy_if(result.rims.begin(), result.rims.end(),
-                     std::back_inserter(result.pulling_rims), is_paper);
-        std::erase_if(result.rims, is_paper);
+                     std::back_inserter(result.pulling_rims), pulls);
+        std::erase_if(result.rims, pulls);
         const auto rim = [&](std::uint32_t k) {
             return geometry::Rim<S>{vec<S>(scene.rims[k].center), S(scene.rims[k].radius)};
         };
@@ -259,6 +270,10 @@ template <class Type>
         if constexpr (engine::kHasRims<typename Type::Motion>) {
             for (const std::uint32_t k : result.pulling_rims) {
                 result.data.motion.rims.push_back({rim(k)});
+                if constexpr (kTips<Type>) {
+                    result.data.motion.restitutions.push_back(S(scene.rims[k].restitution.value_or(
+                        scene.impacts.ball_cushion.restitution)));
+                }
             }
             std::get<std::vector<geometry::PullingRim<S>>>(result.data.obstacles) =
                 result.data.motion.rims;

@@ -97,9 +97,15 @@ public:
                                 math::to_double<S>(law.quadratic)};
         }
         if constexpr (engine::kHasRims<typename Type::Motion>) {
-            if (piece.phase == Phase::rim) {
+            if (record.state.stay) {
                 piece.acceleration = {};
                 piece.rim = compiled_.pulling_rims[record.state.rim];
+                if constexpr (kTips<Type>) {
+                    const auto& state = record.state;
+                    piece.height = math::to_double<S>(state.height);
+                    piece.climb = math::to_double<S>(state.climb);
+                    piece.inertia = state.slides ? 0.0 : math::to_double<S>(state.inertia);
+                }
             }
         }
         if constexpr (kCloth) {
@@ -246,7 +252,11 @@ private:
     template <class State>
     [[nodiscard]] Phase phase(const State& state) const {
         if constexpr (engine::kHasRims<typename Type::Motion>) {
-            if (state.stay) return Phase::rim;
+            if constexpr (kTips<Type>) {
+                if (state.stay) return state.stay->on_edge() ? Phase::tipping : Phase::flying;
+            } else {
+                if (state.stay) return Phase::rim;
+            }
             if (std::holds_alternative<UniformMotion>(scene_.motion)) return Phase::uniform;
         }
         if constexpr (kCloth) {

@@ -23,6 +23,7 @@ struct ReadyEngine {
     bool segments;  ///< and end points
     bool arcs_and_rims;
     bool pulling_rims;  ///< with the law paper; of free flight too
+    bool tipping_rims;  ///< with the law tipping; likewise
     Record record;      ///< at most this
     bool cell_grid;     ///< for many balls; gives the same results as all pairs
     std::string (*name)();
@@ -41,6 +42,7 @@ struct ReadyEngine {
 [[nodiscard]] std::span<const ReadyEngine> double_resisted_engines();
 [[nodiscard]] std::span<const ReadyEngine> double_disc_engines();
 [[nodiscard]] std::span<const ReadyEngine> double_rims_engines();
+[[nodiscard]] std::span<const ReadyEngine> double_tipping_rims_engines();
 [[nodiscard]] std::span<const ReadyEngine> double_cloth_engines();
 [[nodiscard]] std::span<const ReadyEngine> double_cloth_han_engines();
 [[nodiscard]] std::span<const ReadyEngine> double_cloth_mathavan_engines();
@@ -54,6 +56,7 @@ struct ReadyEngine {
 [[nodiscard]] std::span<const ReadyEngine> double_resisted_symmetric_engines();
 [[nodiscard]] std::span<const ReadyEngine> double_disc_symmetric_engines();
 [[nodiscard]] std::span<const ReadyEngine> double_rims_symmetric_engines();
+[[nodiscard]] std::span<const ReadyEngine> double_tipping_rims_symmetric_engines();
 [[nodiscard]] std::span<const ReadyEngine> double_cloth_symmetric_engines();
 [[nodiscard]] std::span<const ReadyEngine> double_cloth_han_symmetric_engines();
 [[nodiscard]] std::span<const ReadyEngine> double_cloth_mathavan_symmetric_engines();

@@ -3,6 +3,7 @@
 #include "osculo/math/instant.hpp"
 #include "osculo/math/vec.hpp"
 #include "osculo/motion/rim_paper.hpp"
+#include "osculo/motion/rim_tipping_stay.hpp"
 #include "osculo/motion/slowing.hpp"
 
 namespace osculo {
@@ -29,10 +30,24 @@ BallState resisted_state_in(const Piece& piece, double wait) {
     return {{p.x(), p.y()}, {now.q * velocity.x(), now.q * velocity.y()}, piece.spin};
 }
 
+geometry::Rim<double> rim_of(const Scene& scene, const Piece& piece) {
+    const Rim& rim = scene.rims[piece.rim];
+    return {{rim.center.x, rim.center.y}, rim.radius};
+}
+
+/// The motion of a piece on the edge of a rim.
+motion::RimTippingStay<double> edge_motion(const Scene& scene, const Piece& piece) {
+    return {rim_of(scene, piece),
+            scene.gravity,
+            scene.balls[piece.ball].radius,
+            1 + piece.inertia,
+            {start_of(piece), {piece.velocity.x, piece.velocity.y}, piece.height, piece.climb},
+            motion::TippingStart::touches};
+}
+
 /// The motion of a piece in a rim.
 motion::RimPaperMotion<double> rim_motion(const Scene& scene, const Piece& piece) {
-    const Rim& rim = scene.rims[piece.rim];
-    return {{{rim.center.x, rim.center.y}, rim.radius},
+    return {rim_of(scene, piece),
             scene.gravity,
             scene.balls[piece.ball].radius,
             start_of(piece),
@@ -91,16 +106,20 @@ BallState Run::at(const Piece& piece, double t) const {
 std::vector<BallState> Run::along(const Piece& piece, const std::vector<double>& times) const {
     std::vector<BallState> states;
     states.reserve(times.size());
-    if (piece.phase != Phase::rim) {
+    const auto follow = [&](const auto& motion) {
+        for (const double t : times) {
+            const auto now = motion.at(t);
+            const math::Vec<double> p = now.position.rounded();
+            states.push_back({{p.x(), p.y()}, {now.velocity.x(), now.velocity.y()}, piece.spin});
+        }
+    };
+    if (piece.phase == Phase::rim) {
+        follow(rim_motion(scene, piece));
+    } else if (piece.phase == Phase::tipping) {
+        follow(edge_motion(scene, piece));
+    } else {
         const double radius = scene.balls[piece.ball].radius;
         for (const double t : times) states.push_back(state_in(piece, radius, t));
-        return states;
-    }
-    const auto motion = rim_motion(scene, piece);
-    for (const double t : times) {
-        const auto now = motion.at(t);
-        const math::Vec<double> p = now.position.rounded();
-        states.push_back({{p.x(), p.y()}, {now.velocity.x(), now.velocity.y()}, piece.spin});
     }
     return states;
 }

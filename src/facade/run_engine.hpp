@@ -91,6 +91,9 @@ inline constexpr MotionKind kMotionKind<motion::Rolling> = MotionKind::rolling;
 template <>
 inline constexpr MotionKind kMotionKind<motion::WithRims<motion::Rolling>> = MotionKind::rolling;
 template <>
+inline constexpr MotionKind kMotionKind<motion::WithTippingRims<motion::Rolling>> =
+    MotionKind::rolling;
+template <>
 inline constexpr MotionKind kMotionKind<motion::Resisted> = MotionKind::resisted;
 template <>
 inline constexpr MotionKind kMotionKind<motion::Disc> = MotionKind::resisted;
@@ -110,7 +113,8 @@ template <class Type>
         Type::Simultaneous::kGathersCluster ? Simultaneous::symmetric : Simultaneous::sequential;
     engine.segments = Name::kSegments;
     engine.arcs_and_rims = Name::kArcsAndRims;
-    engine.pulling_rims = engine::kHasRims<typename Type::Motion>;
+    engine.pulling_rims = engine::kHasRims<typename Type::Motion> && !kTips<Type>;
+    engine.tipping_rims = kTips<Type>;
     engine.record = Type::Recorder::kPieces                           ? Record::pieces
                     : Type::Recorder::kEvents && !kContactsOnly<Type> ? Record::events
                                                                       : Record::none;

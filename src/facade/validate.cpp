@@ -101,9 +101,14 @@ void validate_pulling_rim(const Scene& scene, std::size_t k) {
     const auto name = [&](std::size_t i) {
         return concatenated(at("rims", i, ""), " (\"", scene.rims[i].id, "\")");
     };
-    if (std::holds_alternative<ClothMotion>(scene.motion)) {
+    const bool rub = scene.impacts.ball_ball.law == BallBallLaw::frictional ||
+                     scene.impacts.ball_cushion.law == CushionLaw::frictional;
+    const bool glide = std::holds_alternative<UniformMotion>(scene.motion) ||
+                       std::holds_alternative<RollingMotion>(scene.motion);
+    if (rub || !glide) {
         throw SceneError(at("rims", k, ".law"),
-                         "must be capture on a cloth: others need uniform or rolling motion",
+                         "must be capture unless the motion is uniform or rolling, without "
+                         "friction in impacts",
                          std::string(to_string(rim.law)));
     }
     require(scene.gravity > 0, "gravity",
@@ -115,7 +120,12 @@ void validate_pulling_rim(const Scene& scene, std::size_t k) {
     }
     for (std::size_t i = 0; i < k; ++i) {
         const Rim& other = scene.rims[i];
-        if (other.law != RimLaw::paper) continue;
+        if (other.law == RimLaw::capture) continue;
+        if (other.law != rim.law) {
+            throw SceneError(at("rims", k, ".law"),
+                             concatenated("must be that of ", name(i), " or capture"),
+                             std::string(to_string(rim.law)));
+        }
         const double apart =
             std::hypot(rim.center.x - other.center.x, rim.center.y - other.center.y);
         if (!(apart >= rim.radius + other.radius)) {
@@ -158,7 +168,14 @@ void validate_obstacles(const Scene& scene, Ids& ids) {
         require_point(rim.center, kLargest, at("rims", k, ".center"));
         require(rim.radius > 0, at("rims", k, ".radius"), "must be > 0", rim.radius);
         require_size(rim.radius, at("rims", k, ".radius"));
-        if (rim.law == RimLaw::paper) validate_pulling_rim(scene, k);
+        if (rim.law != RimLaw::capture) validate_pulling_rim(scene, k);
+        if (!rim.restitution) continue;
+        if (rim.law != RimLaw::tipping) {
+            throw SceneError(at("rims", k, ".restitution"), "is for the law tipping only",
+                             number_text(*rim.restitution));
+        }
+        require(*rim.restitution >= 0 && *rim.restitution <= 1, at("rims", k, ".restitution"),
+                "must be from 0 to 1", *rim.restitution);
     }
 }
 
@@ -348,7 +365,7 @@ void validate_place(const Scene& scene, std::size_t i) {
     for (std::size_t k = 0; k < scene.rims.size(); ++k) {
         const Rim& rim = scene.rims[k];
         // A rim that pulls takes balls that are as far inside as their radius.
-        const bool pulls = rim.law == RimLaw::paper;
+        const bool pulls = rim.law != RimLaw::capture;
         const double open = pulls ? rim.radius - ball.radius : rim.radius;
         const double inside =
             open - std::hypot(ball.position.x - rim.center.x, ball.position.y - rim.center.y);

@@ -16,6 +16,7 @@ template <math::Scalar S, class Simultaneous>
         ready_engine<RollingScene<S, RollingPieces, Simultaneous>>(),
         ready_engine<ResistedScene<S, ResistedPieces, Simultaneous>>(),
         ready_engine<RimsScene<S, RimsPieces, Simultaneous>>(),
+        ready_engine<TippingRimsScene<S, TippingRimsPieces, Simultaneous>>(),
         ready_engine<ClothScene<S, CushionSimple, ClothPieces, Simultaneous>>(),
         ready_engine<ClothScene<S, CushionHan2005, ClothPieces, Simultaneous>>(),
     };

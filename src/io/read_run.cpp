@@ -82,10 +82,11 @@ std::array<BallState, 2> read_states(const Value& value, EventKind kind) {
 Phase read_phase(const Value& value) {
     static constexpr Phase kPhases[]{Phase::uniform, Phase::rest,    Phase::spinning,
                                      Phase::rolling, Phase::sliding, Phase::resisted,
-                                     Phase::rim};
+                                     Phase::rim,     Phase::tipping, Phase::flying};
     static constexpr Names kPhaseNames{
-        to_string(kPhases[0]), to_string(kPhases[1]), to_string(kPhases[2]), to_string(kPhases[3]),
-        to_string(kPhases[4]), to_string(kPhases[5]), to_string(kPhases[6])};
+        to_string(kPhases[0]), to_string(kPhases[1]), to_string(kPhases[2]),
+        to_string(kPhases[3]), to_string(kPhases[4]), to_string(kPhases[5]),
+        to_string(kPhases[6]), to_string(kPhases[7]), to_string(kPhases[8])};
     return kPhases[choice(value, kPhaseNames)];
 }
 
@@ -137,7 +138,8 @@ Event read_event(const Value& value, const Indices& indices) {
 Piece read_piece(const Value& value, const Indices& indices) {
     static constexpr Names kKeys{"ball",         "from",      "from_low",     "to",       "to_low",
                                  "law",          "position",  "position_low", "velocity", "spin",
-                                 "acceleration", "spin_rate", "resistance",   "rim"};
+                                 "acceleration", "spin_rate", "resistance",   "rim",      "height",
+                                 "climb",        "inertia"};
     const Fields fields(value, kKeys);
     Piece piece;
     piece.ball = indices.balls(fields.require("ball"));
@@ -146,10 +148,21 @@ Piece read_piece(const Value& value, const Indices& indices) {
     piece.to = fields.require("to").number();
     if (const auto low = fields.find("to_low")) piece.to_low = low->number();
     piece.phase = read_phase(fields.require("law"));
-    if (piece.phase == Phase::rim) {
+    const bool over_hole = piece.phase == Phase::tipping || piece.phase == Phase::flying;
+    if (over_hole || piece.phase == Phase::rim) {
         piece.rim = indices.rims(fields.require("rim"));
     } else if (const auto rim = fields.find("rim")) {
-        rim->fail("is for the law rim only");
+        rim->fail("is for the laws rim, tipping and flying only");
+    }
+    if (over_hole) {
+        piece.height = fields.require("height").number();
+        piece.climb = fields.require("climb").number();
+    }
+    if (piece.phase == Phase::tipping) piece.inertia = fields.require("inertia").number();
+    for (const char* name : {"height", "climb", "inertia"}) {
+        const auto given = fields.find(name);
+        const bool meant = name[0] == 'i' ? piece.phase == Phase::tipping : over_hole;
+        if (given && !meant) given->fail("is for balls that tip over a rim only");
     }
     piece.position = fields.require("position").point();
     if (const auto low = fields.find("position_low")) piece.position_low = low->point();

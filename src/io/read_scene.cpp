@@ -51,16 +51,17 @@ Arc read_arc(const Value& value) {
 }
 
 Rim read_rim(const Value& value) {
-    static constexpr RimLaw kRimLaws[]{RimLaw::capture, RimLaw::paper};
-    static constexpr Names kLaws{to_string(kRimLaws[0]), to_string(kRimLaws[1])};
-    static constexpr Names kPlanned{"tipping"};
-    static constexpr Names kKeys{"id", "center", "radius", "law"};
+    static constexpr RimLaw kRimLaws[]{RimLaw::capture, RimLaw::paper, RimLaw::tipping};
+    static constexpr Names kLaws{to_string(kRimLaws[0]), to_string(kRimLaws[1]),
+                                 to_string(kRimLaws[2])};
+    static constexpr Names kKeys{"id", "center", "radius", "law", "restitution"};
     const Fields fields(value, kKeys);
     Rim rim;
     rim.id = fields.require("id").text();
     rim.center = fields.require("center").point();
     rim.radius = fields.require("radius").number();
-    if (const auto law = fields.find("law")) rim.law = kRimLaws[choice(*law, kLaws, kPlanned)];
+    if (const auto law = fields.find("law")) rim.law = kRimLaws[choice(*law, kLaws)];
+    if (const auto e = fields.find("restitution")) rim.restitution = e->number();
     return rim;
 }
 

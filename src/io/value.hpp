@@ -100,7 +100,7 @@ public:
     [[nodiscard]] Value require(std::string_view name) const;
 
 private:
-    static constexpr std::size_t kMostFields = 16;
+    static constexpr std::size_t kMostFields = 24;
 
     [[nodiscard]] std::size_t index_of(std::string_view name) const;
 

@@ -56,7 +56,15 @@ void write_piece(JsonText& json, const Run& run, const Piece& piece) {
     members.number("to", piece.to);
     members.low_part("to_low", piece.to_low);
     members.string("law", to_string(piece.phase));
-    if (piece.phase == Phase::rim) members.string("rim", run.scene.rims[piece.rim].id);
+    const bool over_hole = piece.phase == Phase::tipping || piece.phase == Phase::flying;
+    if (over_hole || piece.phase == Phase::rim) {
+        members.string("rim", run.scene.rims[piece.rim].id);
+    }
+    if (over_hole) {
+        members.number("height", piece.height);
+        members.number("climb", piece.climb);
+    }
+    if (piece.phase == Phase::tipping) members.number("inertia", piece.inertia);
     members.vector("position", piece.position);
     members.rare("position_low", piece.position_low);
     members.vector("velocity", piece.velocity);

@@ -43,6 +43,7 @@ void write_rim(JsonText& json, const Rim& rim) {
     members.vector("center", rim.center);
     members.number("radius", rim.radius);
     members.string("law", to_string(rim.law));
+    if (rim.restitution) members.number("restitution", *rim.restitution);
     members.close();
 }
 

@@ -82,6 +82,9 @@ py::dtype piece_dtype() {
         .add<double>("spin_rate", offsetof(Piece, spin_rate), 3)
         .add<double>("resistance", offsetof(Piece, resistance), 3)
         .add<std::uint32_t>("rim", offsetof(Piece, rim))
+        .add<double>("height", offsetof(Piece, height))
+        .add<double>("climb", offsetof(Piece, climb))
+        .add<double>("inertia", offsetof(Piece, inertia))
         .add<int>("phase", offsetof(Piece, phase))
         .of_size(sizeof(Piece));
 }

@@ -107,7 +107,8 @@ every law has the same outcome for them. from, to: codes of the phases of a tran
 
 ball: index into scene.ids. from + from_low, to + to_low [s]. position + position_low [m], velocity
 [m/s] and spin [rad/s] at `from`; acceleration [m/s^2], spin_rate [rad/s^2], resistance (of drag).
-rim: index into scene.rim_ids, in the phase "rim". phase: code, see PHASES. Run.at() evaluates them.)");
+rim: index into scene.rim_ids, in the phases "rim", "tipping" and "flying"; height [m], climb [m/s],
+inertia: in the last two. phase: code, see PHASES. Run.at() evaluates them.)");
     type.def_property_readonly(
         "balls", [](const RecordedRun& self) { return final_balls(self.run()); },
         R"(The balls at the end (captured ones as they were then): a structured array.

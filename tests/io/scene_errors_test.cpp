@@ -159,9 +159,14 @@ TEST(SceneErrors, UnknownLawsAndNames) {
         {with(R"("impacts": {"simultaneous": "symetric"})"),
          "impacts.simultaneous: must be symmetric or sequential, did you mean symmetric?, "
          "but it is \"symetric\""},
-        {with(R"("rims": [{"id": "r", "center": [0, 0], "radius": 1, "law": "tipping"}])"),
-         "rims[0].law: must be capture or paper (tipping is not available yet), "
-         "but it is \"tipping\""},
+        {with(R"("rims": [{"id": "r", "center": [0, 0], "radius": 1, "law": "tiping"}])"),
+         "rims[0].law: must be capture, paper or tipping, did you mean tipping?, but it is "
+         "\"tiping\""},
+        {with(R"("rims": [{"id": "r", "center": [0, 0], "radius": 1, "restitution": 1}])"),
+         "rims[0].restitution: is for the law tipping only, but it is 1"},
+        {with(R"("rims": [{"id": "r", "center": [0, 0], "radius": 1, "law": "tipping",
+                           "restitution": 2}])"),
+         "rims[0].restitution: must be from 0 to 1, but it is 2"},
         {with(R"("segments": [{"id": "s", "from": [0, 0], "to": [1, 0], "side": "right"}])"),
          "segments[0].side: must be left or both, but it is \"right\""},
         {with(R"("table": "pool-6ft")"),

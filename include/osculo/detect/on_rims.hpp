@@ -17,10 +17,10 @@
 namespace osculo::detect {
 
 /// Two balls.
-template <math::Scalar S>
-[[nodiscard]] S first_contact(const motion::RimPath<S>& first, const motion::RimPath<S>& second,
-                              const S& reach, const math::ContactHistory<S>& history,
-                              const S& horizon) {
+template <math::Scalar S, class Stay>
+[[nodiscard]] S first_contact(const motion::RimPath<S, Stay>& first,
+                              const motion::RimPath<S, Stay>& second, const S& reach,
+                              const math::ContactHistory<S>& history, const S& horizon) {
     if (first.stay == nullptr && second.stay == nullptr) {
         return first_contact<S>(first.outside, second.outside, reach, history, horizon);
     }
@@ -36,8 +36,8 @@ template <math::Scalar S>
 }
 
 /// A ball and an obstacle.
-template <math::Scalar S, class Obstacle>
-[[nodiscard]] S first_contact(const motion::RimPath<S>& path, const S& radius,
+template <math::Scalar S, class Stay, class Obstacle>
+[[nodiscard]] S first_contact(const motion::RimPath<S, Stay>& path, const S& radius,
                               const Obstacle& obstacle, const math::ContactHistory<S>& history,
                               const S& horizon) {
     if (path.stay == nullptr) {
@@ -48,8 +48,8 @@ template <math::Scalar S, class Obstacle>
 
 /// When the centre of a ball enters a rim that pulls, or never(). Such rims do not overlap: a ball
 /// in one has to leave it first.
-template <math::Scalar S>
-[[nodiscard]] S first_contact(const motion::RimPath<S>& path, const S& radius,
+template <math::Scalar S, class Stay>
+[[nodiscard]] S first_contact(const motion::RimPath<S, Stay>& path, const S& radius,
                               const geometry::PullingRim<S>& rim,
                               const math::ContactHistory<S>& history, const S& horizon) {
     if (path.stay != nullptr) return math::never<S>();
@@ -58,16 +58,16 @@ template <math::Scalar S>
 }
 
 /// True only if first_contact() would find nothing before [horizon].
-template <math::Scalar S>
-[[nodiscard]] bool certainly_apart(const motion::RimPath<S>& first, const S& first_shift,
-                                   const motion::RimPath<S>& second, const S& second_shift,
+template <math::Scalar S, class Stay>
+[[nodiscard]] bool certainly_apart(const motion::RimPath<S, Stay>& first, const S& first_shift,
+                                   const motion::RimPath<S, Stay>& second, const S& second_shift,
                                    const S& reach, const S& horizon) {
     return first.stay == nullptr && second.stay == nullptr &&
            certainly_apart<S>(first.outside, first_shift, second.outside, second_shift, reach,
                               horizon);
 }
-template <math::Scalar S, class Obstacle>
-[[nodiscard]] bool certainly_apart(const motion::RimPath<S>& path, const S& radius,
+template <math::Scalar S, class Stay, class Obstacle>
+[[nodiscard]] bool certainly_apart(const motion::RimPath<S, Stay>& path, const S& radius,
                                    const Obstacle& obstacle, const S& horizon) {
     return path.stay == nullptr && certainly_apart<S>(path.outside, radius, obstacle, horizon);
 }

@@ -10,6 +10,7 @@
 #include "osculo/motion/rolling.hpp"
 #include "osculo/motion/uniform.hpp"
 #include "osculo/motion/with_rims.hpp"
+#include "osculo/motion/with_tipping_rims.hpp"
 
 /// The ready-made scene types, narrowest first.
 namespace osculo::engine {
@@ -55,6 +56,12 @@ template <math::Scalar S, template <class> class RecorderKind,
 using RimsScene = SceneType<S, motion::WithRims<motion::Rolling>, PullingTable, impact::Restitution,
                             Simultaneous, RecorderKind, AllPairs>;
 
+/// Rims over whose edge balls tip, likewise.
+template <math::Scalar S, template <class> class RecorderKind,
+          class Simultaneous = impact::Sequential>
+using TippingRimsScene = SceneType<S, motion::WithTippingRims<motion::Rolling>, PullingTable,
+                                   impact::Restitution, Simultaneous, RecorderKind, AllPairs>;
+
 /// Impact laws of balls with spin: friction between balls, and a cushion law.
 template <template <class> class Cushion>
 struct WithFriction {
@@ -87,6 +94,12 @@ template <math::Scalar S>
 using RimsEvents = StateRecorder<S, motion::WithRims<motion::Rolling>::State<S>, false>;
 template <math::Scalar S>
 using RimsPieces = StateRecorder<S, motion::WithRims<motion::Rolling>::State<S>, true>;
+template <math::Scalar S>
+using TippingRimsEvents =
+    StateRecorder<S, motion::WithTippingRims<motion::Rolling>::State<S>, false>;
+template <math::Scalar S>
+using TippingRimsPieces =
+    StateRecorder<S, motion::WithTippingRims<motion::Rolling>::State<S>, true>;
 template <math::Scalar S>
 using ClothEvents = StateRecorder<S, motion::Cloth::State<S>, false>;
 template <math::Scalar S>

@@ -32,6 +32,7 @@ namespace osculo::impact {
 template <class State>
 [[nodiscard]] auto acceleration_time(const State& state) {
     using S = std::decay_t<decltype(state.remaining)>;
+    if constexpr (requires { state.acceleration_time(); }) return state.acceleration_time();
     if constexpr (requires { state.slowing; }) {
         const S rate = state.slowing.rate(S(1));
         return rate > S(0) ? S(S(1) / rate) : math::never<S>();

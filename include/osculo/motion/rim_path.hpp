@@ -6,16 +6,17 @@
 
 namespace osculo::motion {
 
-/// What is ahead of a ball in a rim, as a certified path. Refers to the motion.
-template <math::Scalar S>
+/// What is ahead of a ball in a rim, as a certified path. Refers to the motion. [Stay]: what a
+/// rim's law makes of it.
+template <math::Scalar S, class Stay>
 struct RimStayPath {
-    const RimPaperMotion<S>* motion;
+    const Stay* motion;
     S since;                      ///< since the motion's start [s]
     math::WidePoint<S> position;  ///< [m]
     S end;                        ///< [s]
     S size;                       ///< of the rim [m]
 
-    RimStayPath(const RimPaperMotion<S>& of, const S& from)
+    RimStayPath(const Stay& of, const S& from)
         : motion(&of),
           since(from),
           position(of.at(from).position),
@@ -33,10 +34,10 @@ struct RimStayPath {
 };
 
 /// The path of a ball where there are rims: a parabola, or a stay in a rim.
-template <math::Scalar S>
+template <math::Scalar S, class Stay = RimPaperMotion<S>>
 struct RimPath {
     ParabolicPath<S> outside;
-    const RimPaperMotion<S>* stay = nullptr;
+    const Stay* stay = nullptr;
     S since{0};  ///< in the stay [s]
 
     /// Moves the start of the path on by t [s].
@@ -48,12 +49,12 @@ struct RimPath {
         }
     }
     [[nodiscard]] bool stands() const { return stay == nullptr && outside.stands(); }
-    [[nodiscard]] RimStayPath<S> inside() const { return {*stay, since}; }
+    [[nodiscard]] RimStayPath<S, Stay> inside() const { return {*stay, since}; }
 };
 
 /// In a rim, a ball does not leave the rim.
-template <math::Scalar S>
-[[nodiscard]] geometry::Box<S> swept_box(const RimPath<S>& path, const S& until) {
+template <math::Scalar S, class Stay>
+[[nodiscard]] geometry::Box<S> swept_box(const RimPath<S, Stay>& path, const S& until) {
     if (path.stay == nullptr) return swept_box<S>(path.outside, until);
     const geometry::Rim<S>& rim = path.stay->rim();
     const math::Vec<S> reach(rim.radius, rim.radius);

@@ -10,6 +10,7 @@ namespace osculo::motion {
 struct Rolling {
     static constexpr const char* kName = "rolling";
     static constexpr const char* kNameWithRims = "rolling+rims";
+    static constexpr const char* kNameWithTippingRims = "rolling+tipping-rims";
     static constexpr bool kTransitions = true;
     static constexpr bool kSpin = false;
 

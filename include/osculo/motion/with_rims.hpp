@@ -8,6 +8,24 @@
 
 namespace osculo::motion {
 
+/// Of a ball's rim, instead of its number.
+inline constexpr std::uint32_t kOutsideOfRims = ~std::uint32_t(0);
+
+/// The number of the rim that the place is in.
+template <math::Scalar S>
+[[nodiscard]] std::uint32_t rim_around(const std::vector<geometry::PullingRim<S>>& rims,
+                                       const math::WidePoint<S>& position) {
+    using Wide = math::Wide<S>;
+    for (std::size_t k = 0; k < rims.size(); ++k) {
+        const auto x = math::wide_difference<S>(position, rims[k].center);
+        const Wide square = x.x * x.x + x.y * x.y;
+        if (square < math::wide_product<S>(rims[k].radius, rims[k].radius)) {
+            return static_cast<std::uint32_t>(k);
+        }
+    }
+    return kOutsideOfRims;
+}
+
 /// A motion law, and rims that pull a ball whose centre is inside of them as in PHYSICS 1.4. There
 /// the pull is all that acts: the ball stands on the edge, not on what the law is about, so energy
 /// and spin are kept until it leaves.
@@ -21,7 +39,7 @@ struct WithRims {
     static constexpr bool kRims = true;
 
     /// Of State::rim, instead of the number of a rim.
-    static constexpr std::uint32_t kOutside = ~std::uint32_t(0);
+    static constexpr std::uint32_t kOutside = kOutsideOfRims;
     static constexpr std::uint32_t kUnknown = kOutside - 1;  ///< begin() looks for it
 
     template <math::Scalar S>
@@ -44,7 +62,7 @@ struct WithRims {
     /// velocity changes. Allocates in a rim.
     template <math::Scalar S>
     static void begin(const Parameters<S>& law, State<S>& state) {
-        if (state.rim == kUnknown) state.rim = rim_around(law, state.position);
+        if (state.rim == kUnknown) state.rim = rim_around<S>(law.rims, state.position);
         state.stay = nullptr;
         state.since = S(0);
         if (state.rim == kOutside) {
@@ -113,21 +131,6 @@ struct WithRims {
     template <math::Scalar S>
     [[nodiscard]] static bool at_rest(const State<S>& state) {
         return !state.stay && Base::template at_rest<S>(state);
-    }
-
-private:
-    template <math::Scalar S>
-    [[nodiscard]] static std::uint32_t rim_around(const Parameters<S>& law,
-                                                  const math::WidePoint<S>& position) {
-        using Wide = math::Wide<S>;
-        for (std::size_t k = 0; k < law.rims.size(); ++k) {
-            const auto x = math::wide_difference<S>(position, law.rims[k].center);
-            const Wide square = x.x * x.x + x.y * x.y;
-            if (square < math::wide_product<S>(law.rims[k].radius, law.rims[k].radius)) {
-                return static_cast<std::uint32_t>(k);
-            }
-        }
-        return kOutside;
     }
 };
 

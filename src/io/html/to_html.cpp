@@ -57,7 +57,8 @@ bool is_finite(Point point) {
 }
 
 bool is_quadratic(const Piece& piece) {
-    return piece.phase != Phase::resisted && piece.phase != Phase::rim;
+    return piece.phase != Phase::resisted && piece.phase != Phase::rim &&
+           piece.phase != Phase::tipping;
 }
 
 // The page knows quadratics only: another piece is shown as so many of them, which begin where the

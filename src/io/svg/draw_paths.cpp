@@ -11,6 +11,11 @@ constexpr std::size_t kThinPieces = 400;
 // A curve is drawn as so many chords.
 constexpr int kChords = 24;
 
+// Whether a ball is in a rim that bends its path.
+bool bends(const Piece& piece) {
+    return piece.phase == Phase::rim || piece.phase == Phase::tipping;
+}
+
 // Path data of one ball's visible pieces; pieces that follow each other share their points.
 void draw_path(Canvas& canvas, const View& view, const Run& run,
                const std::vector<std::size_t>& pieces) {
@@ -22,8 +27,8 @@ void draw_path(Canvas& canvas, const View& view, const Run& run,
     for (const std::size_t index : pieces) {
         const Piece& piece = run.pieces[index];
         const double duration = piece.to - piece.from;
-        const bool straight = piece.phase == Phase::resisted ||
-                              (piece.phase != Phase::rim && piece.acceleration == Point{});
+        const bool straight =
+            piece.phase == Phase::resisted || (!bends(piece) && piece.acceleration == Point{});
         const int chords = straight ? 1 : kChords;
         std::vector<double> times;
         for (int k = 0; k <= chords; ++k) times.push_back(duration * k / chords);
@@ -56,7 +61,7 @@ void draw_stage(Canvas& canvas, const Picture& picture, const Run& run, std::siz
         const double share = run.time > 0 ? piece.from / run.time : 0;  // of the time gone by
         const auto begins_in =
             std::min(static_cast<std::size_t>(share * static_cast<double>(stages)), stages - 1);
-        const bool moves = piece.velocity != Point{} || piece.phase == Phase::rim;
+        const bool moves = piece.velocity != Point{} || bends(piece);
         if (begins_in == stage && moves) pieces_of[piece.ball].push_back(i);
     }
     for (std::size_t ball = 0; ball < pieces_of.size(); ++ball) {

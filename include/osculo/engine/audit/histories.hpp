@@ -2,6 +2,7 @@
 
 #include "osculo/engine/audit/result.hpp"
 #include "osculo/engine/audit/rims.hpp"
+#include "osculo/engine/audit/tipping_rims.hpp"
 
 namespace osculo::engine::detail {
 
@@ -72,6 +73,14 @@ private:
         if (event.kind == kTransition) {
             history.noise = std::max<S>(
                 history.noise, noise_of(event.before[side], S(0), math::narrow(event.when)));
+            if constexpr (requires { hits_edge<S>(event.before[side]); }) {
+                if (hits_edge<S>(event.before[side])) {
+                    const bool sound =
+                        hit_explained<S>(scene_.motion, event.before[side], event.after[side]);
+                    if (!sound) ++result.unexplained;
+                    history.noise = math::never<S>();
+                }
+            }
         }
         expect(i, event.after[side], result);
         history.now = event.when;

@@ -6,6 +6,7 @@
 
 #include "osculo/engine/audit/result.hpp"
 #include "osculo/engine/audit/rims.hpp"
+#include "osculo/engine/audit/tipping_rims.hpp"
 
 namespace osculo::engine::detail {
 

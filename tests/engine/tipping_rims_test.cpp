@@ -1,0 +1,180 @@
+#include <cmath>
+
+#include <gtest/gtest.h>
+
+#include "osculo/engine/audit.hpp"
+#include "osculo/engine/scenes.hpp"
+#include "support/random.hpp"
+#include "support/scalars.hpp"
+
+namespace {
+
+using namespace osculo;
+using namespace osculo::support;
+using Type = engine::TippingRimsScene<double, engine::TippingRimsPieces>;
+using SymmetricType =
+    engine::TippingRimsScene<double, engine::TippingRimsPieces, impact::Symmetric>;
+using Engine = engine::Engine<Type>;
+using Motion = Type::Motion;
+using State = Motion::State<double>;
+using Vec = math::Vec<double>;
+using motion::TippingEnd;
+
+constexpr double kRadius = 0.028575;
+constexpr double kRim = 0.0571;
+constexpr double kGravity = 9.81;
+constexpr engine::Kind kEntry = engine::kFirstObstacle;
+
+/// A hole around the origin.
+template <class T = Type>
+engine::SceneData<T> scene(double friction = 0, double restitution = 1, double edge = 0.5,
+                           double rim = kRim) {
+    engine::SceneData<T> scene;
+    scene.motion.deceleration = friction * kGravity;
+    scene.motion.gravity = kGravity;
+    scene.motion.rims.resize(1);
+    scene.motion.rims[0].center = Vec(0, 0);
+    scene.motion.rims[0].radius = rim;
+    scene.motion.restitutions = {edge};
+    scene.motion.contact_time = scene.contact_time = 1e-4;
+    std::get<0>(scene.obstacles) = scene.motion.rims;
+    scene.ball_ball_restitution = scene.ball_cushion_restitution = restitution;
+    return scene;
+}
+template <class T>
+void add(engine::SceneData<T>& scene, Vec position, Vec velocity, double inertia = 0) {
+    engine::Body<T> body;
+    body.state.position = math::WidePoint<double>(position);
+    body.state.velocity = velocity;
+    body.state.inertia = inertia;
+    body.state.ball_radius = body.radius = kRadius;
+    body.mass = 0.17;
+    scene.bodies.push_back(body);
+}
+
+double energy(const State& s) {
+    const double plan = math::dot<double>(s.velocity, s.velocity) / 2;
+    return s.stay ? plan + s.climb * s.climb / 2 + kGravity * (s.height - kRadius) : plan;
+}
+double moment(const State& s) {
+    return math::cross<double>(s.position.rounded(), s.velocity);
+}
+
+struct Counts {
+    int falls = 0, exits = 0, edges = 0, lifts = 0;
+};
+template <class E>
+Counts count(E& engine) {
+    Counts counts;
+    for (const auto& event : engine.recorder().events) {
+        const auto& stay = event.before[0].stay;
+        if (event.kind != engine::kTransition || !stay) continue;
+        counts.falls += event.after[0].fallen;
+        counts.exits += !event.after[0].stay;
+        counts.edges += stay->end() == TippingEnd::edge;
+        counts.lifts += stay->end() == TippingEnd::lift_off;
+    }
+    return counts;
+}
+
+template <class T, class E>
+void expect_clean(const engine::SceneData<T>& data, E& engine, const std::string& what = "") {
+    const auto audit = engine::audit<T>(data, engine.recorder(), engine.bodies(), engine.time());
+    EXPECT_TRUE(audit.clean) << what << ": gap " << audit.worst_gap << " at "
+                             << audit.worst_gap_time << ", jump " << audit.largest_jump
+                             << ", contact " << audit.largest_contact_error << ", unexplained "
+                             << audit.unexplained << ", gain " << audit.largest_energy_gain
+                             << ", momentum " << audit.largest_momentum_error;
+}
+
+TEST(TippingRims, ASlowBallTipsFliesAndFalls) {
+    auto data = scene();
+    add(data, Vec(0.2, 0.01), Vec(-0.3, 0));
+    Engine engine(data);
+    EXPECT_EQ(engine.run({60, 1000}), Status::at_rest);
+    const auto& events = engine.recorder().events;
+    ASSERT_EQ(events.size(), 3);
+    EXPECT_EQ(events[0].kind, kEntry);
+    EXPECT_EQ(events[1].before[0].stay->end(), TippingEnd::lift_off);
+    EXPECT_TRUE(events[2].after[0].fallen);
+    EXPECT_NEAR(events[2].after[0].height, 0, 1e-16);
+    EXPECT_NEAR(energy(events[2].before[0]), energy(events[0].before[0]), 1e-15);
+    expect_clean(data, engine);
+}
+
+/// Energy and angular momentum about the hole are kept by everything but other things, to 1e-13.
+TEST(TippingRims, KeepEnergyAndAngularMomentum) {
+    Random random(8);
+    for (int i = 0; i < 300; ++i) {
+        auto data = scene(0, 1, 1);
+        const double a = 1.5 * random.unit<double>() - 0.75;
+        const double speed = random.magnitude<double>(-5, 1);
+        add(data, Vec(kRim + 0.1, 0), speed * Vec(-std::cos(a), std::sin(a)));
+        Engine engine(data);
+        engine.run({20, 100000});
+        for (const auto& event : engine.recorder().events) {
+            const bool lands = event.before[0].stay && !event.after[0].stay;
+            const double was = energy(event.before[0]);
+            const double unit = speed * speed + kGravity * kRadius;
+            EXPECT_LE(std::abs(energy(event.after[0]) - was), lands ? unit : 1e-13 * unit) << i;
+            EXPECT_LE(energy(event.after[0]), was + 1e-13 * unit) << i;
+            EXPECT_LE(std::abs(moment(event.after[0]) - moment(data.bodies[0].state)),
+                      1e-13 * kRim * (speed + 0.5))
+                << i;
+        }
+        expect_clean(data, engine, std::to_string(i));
+    }
+}
+
+/// Two balls and a hole in a random scene, whatever happens.
+template <class T>
+void random_scenes(int count_of_scenes, int seed) {
+    Counts all;
+    int hits = 0;
+    constexpr double kRims[]{1.1 * kRadius, kRim, 4 * kRadius};
+    for (int i = 0; i < count_of_scenes; ++i) {
+        Random random(seed + i);
+        auto data =
+            scene<T>(i % 2 == 0 ? 0.01 : 0, i % 3 == 0 ? 1 : 0.8, i % 5 * 0.25, kRims[i % 7 % 3]);
+        const double rim = kRims[i % 7 % 3];
+        const double inertia = i % 4 < 2 ? 0.4 : 0;
+        const Vec first =
+            random.uniform<double>(rim - 0.9 * kRadius, rim + 0.1) * random.direction<double>();
+        add(data, first, random.magnitude<double>(-8, 2) * random.direction<double>(), inertia);
+        for (;;) {
+            const Vec second = random.uniform<double>(rim - 0.9 * kRadius, rim + 0.15) *
+                               random.direction<double>();
+            if (math::norm<double>(Vec(first - second)) < 2 * kRadius) continue;
+            add(data, second, random.magnitude<double>(-8, 2) * random.direction<double>(),
+                inertia);
+            break;
+        }
+        engine::Engine<T> engine(data);
+        const Status status = engine.run({5, 200000});
+        EXPECT_TRUE(status == Status::at_rest || status == Status::time_limit)
+            << "scene " << i << ": " << to_string(status) << " at " << engine.time().hi << " after "
+            << engine.event_count();
+        EXPECT_LT(engine.event_count(), 20000U) << i;
+        const Counts counts = count(engine);
+        all.falls += counts.falls;
+        all.exits += counts.exits;
+        all.edges += counts.edges;
+        all.lifts += counts.lifts;
+        for (const auto& event : engine.recorder().events) hits += event.kind == engine::kBallBall;
+        expect_clean(data, engine, std::to_string(i));
+    }
+    EXPECT_GT(all.falls, count_of_scenes / 20);
+    EXPECT_GT(all.exits, count_of_scenes / 20);
+    EXPECT_GT(all.edges, count_of_scenes / 20);
+    EXPECT_GT(all.lifts, count_of_scenes / 20);
+    EXPECT_GT(hits, count_of_scenes / 20);
+    std::printf("%d %d %d %d %d\n", all.falls, all.exits, all.edges, all.lifts, hits);
+}
+TEST(TippingRims, RandomScenesEndAndAreClean) {
+    random_scenes<Type>(200, 3);
+}
+TEST(TippingRims, SymmetricRandomScenesEndAndAreClean) {
+    random_scenes<SymmetricType>(200, 4);
+}
+
+}  // namespace
