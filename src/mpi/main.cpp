@@ -53,12 +53,16 @@ void play(Batch& batch, const cli::ShotBlock& block, BatchResult& result) {
     }
 }
 
+/// To ranks that have to end while others do not answer: for those MPI would wait for ever.
+constexpr const char* kLeave = "leave";
+
 /// Of all ranks but 0: plays what comes, until a message without content.
 void work(const Ranks& ranks, Batch& batch) {
     BatchResult result;
     for (;;) {
         const Ranks::Message message = ranks.receive();
         if (message.text.empty()) return;
+        if (message.text == kLeave) Ranks::abandon(cli::kFinished);
         const cli::ShotBlock block = block_from(message.text);
         play(batch, block, result);
         ranks.send(0, bytes_of(result, block.first));
@@ -110,10 +114,12 @@ ExitCode coordinate(const Ranks& ranks, const Arguments& arguments, const Scene&
     }
     const auto silent = coordinator.silent_ranks();
     for (const int rank : silent) {
-        fmt::print(stderr, "osculo-mpi: rank {} has not answered\n", rank);
+        fmt::print(stderr, "osculo-mpi: rank {} has not answered{}\n", rank,
+                   coordinator.missing().empty() ? "; others have played its shots" : "");
     }
-    if (!silent.empty()) Ranks::abandon(code);
-    return code;
+    if (silent.empty()) return code;
+    for (int rank = 1; rank < ranks.size(); ++rank) ranks.send(rank, kLeave);
+    Ranks::abandon(code);
 }
 
 ExitCode run(const Ranks& ranks, const Arguments& arguments) {

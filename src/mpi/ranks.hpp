@@ -1,11 +1,13 @@
 #pragma once
 
+#include <memory>
 #include <optional>
 #include <string>
 
 namespace osculo::mpi {
 
-/// The ranks of a program started by mpirun, from the making of this to its end.
+/// The ranks of a program started by mpirun, from the making of this to its end. Nothing waits for
+/// a rank that may have died, in the middle of a message even, but receive() and that end.
 class Ranks {
 public:
     Ranks(int& argc, char**& argv);
@@ -16,7 +18,8 @@ public:
     [[nodiscard]] int rank() const { return rank_; }
     [[nodiscard]] int size() const { return size_; }
 
-    void send(int to, const std::string& message) const;
+    /// Returns at once.
+    void send(int to, std::string message) const;
 
     struct Message {
         int from;
@@ -24,15 +27,18 @@ public:
     };
     /// The next one from anybody.
     [[nodiscard]] Message receive() const;
-    /// The same, if there is one now.
+    /// The same, if one has arrived.
     [[nodiscard]] std::optional<Message> receive_now() const;
 
     /// Ends all ranks at once: some do not answer.
     [[noreturn]] static void abandon(int exit_code);
 
 private:
+    struct OnTheWay;
+
     int rank_ = 0;
     int size_ = 1;
+    std::unique_ptr<OnTheWay> on_the_way_;
 };
 
 }  // namespace osculo::mpi
