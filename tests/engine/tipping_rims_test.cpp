@@ -208,6 +208,7 @@ TEST(TippingRims, TwoBallsInOneRim) {
     for (const double restitution : {0.0, 0.5, 0.9, 1.0}) {
         for (const double gap : {0.0, 1e-9, 1e-3}) {
             auto data = scene(0.01, restitution, restitution, 0.06);
+            data.motion.contact_time = data.contact_time = 1e-3;
             const double x = kRadius + gap / 2;
             add(data, Vec(x, 0.045), Vec(0, 0), 0.4);
             add(data, Vec(-x, 0.0451), Vec(0, 0), 0.4);
@@ -219,10 +220,10 @@ TEST(TippingRims, TwoBallsInOneRim) {
                 ++contacts;
                 const auto sum = [](const auto& of) { return energy(of[0]) + energy(of[1]); };
                 // What parting may take from gravity: (a tau)^2 / 8 each.
-                EXPECT_LE(sum(event.after), sum(event.before) + 2 * 1e-8 * kGravity * kGravity / 8);
+                EXPECT_LE(sum(event.after), sum(event.before) + 2 * 1e-6 * kGravity * kGravity / 8);
             }
             EXPECT_GE(contacts, 1);
-            EXPECT_LT(engine.event_count(), 20000U);
+            EXPECT_LT(engine.event_count(), 2000U);
             EXPECT_EQ(count(engine).falls, 2);
             expect_clean(data, engine, std::to_string(restitution));
         }
