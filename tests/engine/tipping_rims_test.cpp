@@ -168,13 +168,154 @@ void random_scenes(int count_of_scenes, int seed) {
     EXPECT_GT(all.edges, count_of_scenes / 20);
     EXPECT_GT(all.lifts, count_of_scenes / 20);
     EXPECT_GT(hits, count_of_scenes / 20);
-    std::printf("%d %d %d %d %d\n", all.falls, all.exits, all.edges, all.lifts, hits);
 }
 TEST(TippingRims, RandomScenesEndAndAreClean) {
     random_scenes<Type>(200, 3);
 }
 TEST(TippingRims, SymmetricRandomScenesEndAndAreClean) {
     random_scenes<SymmetricType>(200, 4);
+}
+
+/// A ball that stands on the rim, one that hangs on the edge, and one on its way down, struck.
+TEST(TippingRims, ABallOnTheEdgeIsStruck) {
+    for (const double x : {-kRim, -kRim + 1e-4, -kRim + 0.01}) {
+        for (const double edge : {0.0, 0.5, 1.0}) {
+            auto data = scene(0.01, 0.95, edge);
+            add(data, Vec(x, 0), Vec(0, 0), 0.4);
+            add(data, Vec(-0.2, 0.02), Vec(1.5, 0), 0.4);
+            Engine engine(data);
+            const Status status = engine.run({60, 10000});
+            EXPECT_TRUE(status == Status::at_rest || status == Status::time_limit);
+            int contacts = 0;
+            for (const auto& event : engine.recorder().events) {
+                if (event.kind != engine::kBallBall) continue;
+                ++contacts;
+                EXPECT_NEAR(math::norm<double>(event.normal), 2 * kRadius, 1e-15);
+                // The impact is one in the plane: what it does in space comes after it.
+                for (std::size_t k = 0; k < 2; ++k) {
+                    EXPECT_EQ(event.before[k].height, event.after[k].height);
+                    EXPECT_EQ(event.before[k].climb, event.after[k].climb);
+                }
+            }
+            EXPECT_GE(contacts, 1);
+            expect_clean(data, engine, std::to_string(x));
+        }
+    }
+}
+
+/// The edge leads them against each other, at once and again and again, until one has fallen.
+TEST(TippingRims, TwoBallsInOneRim) {
+    for (const double restitution : {0.0, 0.5, 0.9, 1.0}) {
+        for (const double gap : {0.0, 1e-9, 1e-3}) {
+            auto data = scene(0.01, restitution, restitution, 0.06);
+            data.motion.contact_time = data.contact_time = 1e-3;
+            const double x = kRadius + gap / 2;
+            add(data, Vec(x, 0.045), Vec(0, 0), 0.4);
+            add(data, Vec(-x, 0.0451), Vec(0, 0), 0.4);
+            Engine engine(data);
+            EXPECT_EQ(engine.run({10, 200000}), Status::at_rest) << restitution << " " << gap;
+            int contacts = 0;
+            for (const auto& event : engine.recorder().events) {
+                if (event.kind != engine::kBallBall) continue;
+                ++contacts;
+                const auto sum = [](const auto& of) { return energy(of[0]) + energy(of[1]); };
+                // What parting may take from gravity: (a tau)^2 / 8 each.
+                EXPECT_LE(sum(event.after), sum(event.before) + 2 * 1e-6 * kGravity * kGravity / 8);
+            }
+            EXPECT_GE(contacts, 1);
+            EXPECT_LT(engine.event_count(), 2000U);
+            EXPECT_EQ(count(engine).falls, 2);
+            expect_clean(data, engine, std::to_string(restitution));
+        }
+    }
+}
+
+/// What the audit says of a run that somebody has tampered with.
+TEST(TippingRims, AnAuditFindsFaults) {
+    auto data = scene(0, 1, 0.5);
+    add(data, Vec(0.2, 0.02), Vec(-0.45, 0));
+    add(data, Vec(-0.2, 0.001), Vec(1.2, 0));
+    Engine engine(data);
+    engine.run({60, 10000});
+    const Counts counts = count(engine);
+    ASSERT_GE(counts.edges, 1);
+    ASSERT_GE(counts.lifts, 1);
+    const auto audit = [&](const Type::Recorder& record) {
+        return engine::audit<Type>(data, record, engine.bodies(), engine.time());
+    };
+    EXPECT_TRUE(audit(engine.recorder()).clean);
+    for (const bool on_edge : {false, true}) {
+        const auto tampered = [&](auto&& change) {
+            auto record = engine.recorder();
+            for (auto& piece : record.pieces) {
+                if (!piece.state.stay || piece.state.stay->on_edge() != on_edge) continue;
+                change(piece.state);
+                break;
+            }
+            return audit(record);
+        };
+        EXPECT_FALSE(tampered([](auto& state) { state.velocity.x() += 1e-12; }).clean);
+        EXPECT_FALSE(tampered([](auto& state) { state.climb += 1e-12; }).clean);
+        EXPECT_FALSE(tampered([](auto& state) { state.height += 1e-12; }).clean);
+        EXPECT_FALSE(tampered([](auto& state) { state.since += 1e-9; }).clean);
+        EXPECT_FALSE(tampered([](auto& state) { state.position.x.hi += 1e-12; }).clean);
+        // Gravity that is a millionth stronger.
+        EXPECT_FALSE(tampered([](auto& state) {
+                         state.stay = std::make_shared<const motion::RimTippingStay<double>>(
+                             state.stay->rim(), kGravity * (1 + 1e-6), kRadius, 1,
+                             motion::Hovering<double>{state.position, state.velocity, state.height,
+                                                      state.climb},
+                             state.stay->on_edge() ? motion::TippingStart::touches
+                                                   : motion::TippingStart::lifts_off);
+                     }).clean);
+    }
+    // An edge that is hit does not push along, and not more than its restitution says.
+    const auto hit = [&](auto&& change) {
+        auto record = engine.recorder();
+        for (auto& event : record.events) {
+            const auto& stay = event.before[0].stay;
+            if (event.kind != engine::kTransition || !stay) continue;
+            if (stay->end() != TippingEnd::edge) continue;
+            change(event.after[0]);
+            break;
+        }
+        return audit(record);
+    };
+    EXPECT_TRUE(hit([](auto&) {}).clean);
+    EXPECT_FALSE(hit([](auto& after) { after.velocity.y() += 1e-9; }).clean);
+    EXPECT_FALSE(hit([](auto& after) { after.climb += 1e-9; }).clean);
+    auto softer = data;
+    softer.motion.restitutions = {0.49};
+    EXPECT_FALSE(
+        engine::audit<Type>(softer, engine.recorder(), engine.bodies(), engine.time()).clean);
+}
+
+/// On the saddle, with no digit to tell, the run ends with a status.
+TEST(TippingRims, ABallBalancedOnTheSeparatrixDoesNotHang) {
+    // Level with the rim but for a rounding, and moving by none.
+    auto data = scene();
+    add(data, Vec(std::nextafter(kRim, 0.0), 0), Vec(0, 0));
+    Engine engine(data);
+    EXPECT_EQ(engine.run({60, 1000}), Status::at_rest);  // it falls the way it leans
+    EXPECT_EQ(count(engine).falls, 1);
+
+    // The two speeds next to the separatrix: the one falls, the other leaves.
+    double in = 0, out = 1;
+    const auto falls = [](double along, std::uint64_t& events) {
+        auto scene_there = scene();
+        add(scene_there, Vec(kRim + 0.01, 0), Vec(-0.2, along));
+        Engine there(scene_there);
+        there.run({5, 1000});
+        events = there.event_count();
+        return !there.bodies()[0].present;
+    };
+    for (int i = 0; i < 60; ++i) {
+        std::uint64_t events = 0;
+        const double middle = in + (out - in) / 2;
+        (falls(middle, events) ? in : out) = middle;
+        EXPECT_LT(events, 20U);
+    }
+    EXPECT_LE(out, std::nextafter(in, 1.0));
 }
 
 }  // namespace
