@@ -54,6 +54,12 @@ public:
         return result;
     }
 
+    /// As Engine::archive().
+    template <class Archive>
+    void archive(Archive& archive) {
+        archive(when_, any_);
+    }
+
 private:
     math::Instant<S> when_{S(0)};
     bool any_ = false;
