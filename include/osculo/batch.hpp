@@ -90,6 +90,7 @@ struct BatchResult {
     std::vector<std::uint32_t> cushions_after_hit;   ///< of the cue ball; 0
     std::vector<std::uint32_t> driven_to_cushion;    ///< number of other balls; 0
     std::vector<std::uint32_t> kisses;               ///< contacts of balls other than hits; 0
+    std::vector<std::uint64_t> settled_count;        ///< as in a Run; 0
 
     // [shot][ball]
     std::vector<ShotFate> fate;                   ///< absent

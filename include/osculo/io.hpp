@@ -7,6 +7,7 @@
 
 #include "osculo/run.hpp"
 #include "osculo/scene.hpp"
+#include "osculo/simulation.hpp"
 
 namespace osculo::io {
 
@@ -46,6 +47,19 @@ public:
 
 /// The same document as MessagePack. Throws FormatError if the text is not JSON.
 [[nodiscard]] std::string msgpack_from_json(std::string_view text);
+
+// Snapshots: a simulation as one file (schema osculo/snapshot-1), with its scene, its options and
+// the state of its engine, to be played on elsewhere, bit for bit as if it had never stopped.
+
+/// The same simulation always gives the same bytes, on every machine.
+[[nodiscard]] std::string simulation_to_snapshot(const Simulation& simulation);
+
+/// Where it was. Replays nothing. Throws FormatError for what is no snapshot, is damaged, or was
+/// written by another version of osculo, which might play on differently.
+[[nodiscard]] Simulation simulation_from_snapshot(std::string_view bytes);
+
+/// Whether it begins as a snapshot does.
+[[nodiscard]] bool is_snapshot(std::string_view bytes);
 
 struct SvgOptions {
     double width = 1200;  ///< [px]; the height follows from the scene

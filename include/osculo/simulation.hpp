@@ -9,9 +9,9 @@
 
 namespace osculo {
 
-/// A run that can be stopped anywhere, copied, and played on, each copy by itself, bit for bit as
-/// if it had never stopped. Stopping disturbs nothing: balls are brought to the end of a run only
-/// in what result() returns.
+/// A run that can be stopped anywhere, copied, kept in a file (io.hpp) and played on, each copy by
+/// itself, bit for bit as if it had never stopped. Stopping disturbs nothing: balls are brought to
+/// the end of a run only in what result() returns.
 class Simulation {
 public:
     /// At the start of the scene's run. Throws as simulate() does.
@@ -22,13 +22,22 @@ public:
     Simulation& operator=(Simulation&&) noexcept;
     ~Simulation();
 
-    /// Plays on to those limits, or to the scene's if they come first: at most until that time,
-    /// counted from the start of the run, and until there have been so many events from the start
-    /// of the run on. Returns how it ended; after anything but time_limit and event_limit there is
-    /// nothing more to play.
+    /// Plays on to those limits, or to the scene's (set_limits) if they come first: at most until
+    /// that time, counted from the start of the run, and until there have been so many events from
+    /// the start of the run on. Returns how it ended; after anything but time_limit and event_limit
+    /// there is nothing more to play.
     Status play(const Limits& limits);
     /// Plays on to the end.
     Status play();
+
+    /// Lets play() go on to these limits instead of the scene's. Throws SceneError if they are not
+    /// limits of a scene.
+    void set_limits(const Limits& limits);
+    [[nodiscard]] const Limits& limits() const;
+
+    /// What is played.
+    [[nodiscard]] const Scene& scene() const;
+    [[nodiscard]] const Options& options() const;
 
     /// How play() ended last; event_limit before the first time.
     [[nodiscard]] Status status() const;
@@ -41,6 +50,7 @@ public:
     [[nodiscard]] Run result() const;
 
 private:
+    friend struct SimulationState;  // for files: io.hpp
     struct Implementation;
     std::unique_ptr<Implementation> implementation_;
 };

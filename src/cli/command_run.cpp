@@ -1,3 +1,5 @@
+#include <algorithm>
+#include <array>
 #include <chrono>
 #include <memory>
 #include <optional>
@@ -8,6 +10,7 @@
 #include "cli/commands.hpp"
 #include "cli/files.hpp"
 #include "cli/input.hpp"
+#include "cli/interrupt.hpp"
 #include "cli/options.hpp"
 #include "cli/summary.hpp"
 #include "cli/working.hpp"
@@ -20,6 +23,7 @@ struct RunArguments {
     std::string scene;
     std::string output;
     std::string svg;
+    std::string snapshot;
     EngineOptions engine;
     std::optional<double> time;
     std::optional<std::uint64_t> events;
@@ -33,33 +37,96 @@ ExitCode exit_code_of(const Run& run) {
     return run.certificate && !run.certificate->certain() ? kUncertain : kFinished;
 }
 
-Run simulate_named(const Scene& scene, const Options& options, const std::string& name) {
-    try {
-        return simulate(scene, options);
-    } catch (const SceneError& error) {  // a limit given as an option
-        throw Failure(kInvalidScene, name + ": " + error.what());
+/// What cannot be asked for in the middle of a run.
+void refuse_beginnings(const CLI::App& command, const std::string& name) {
+    for (const char* option : {"--precision", "--record", "--audit", "--certify"}) {
+        if (command.count(option) == 0) continue;
+        throw Failure(kUsage, std::string(option) + ": " + name +
+                                  " is a snapshot, which goes on as it was begun");
     }
 }
 
-ExitCode run(const RunArguments& arguments) {
-    Scene scene = load_scene(arguments.scene);
-    if (arguments.time) scene.limits.time = *arguments.time;
-    if (arguments.events) scene.limits.events = *arguments.events;
-    const bool shows_pieces = !arguments.output.empty() || !arguments.svg.empty();
+/// Plays on to those limits, which may be beyond those it had. False if it was interrupted.
+bool play(Simulation& simulation, const Limits& limits) {
+    /// Between looks at whether it is interrupted.
+    constexpr std::uint64_t kEvents = 10'000;
+    simulation.set_limits({std::max(limits.time, simulation.limits().time),
+                           std::max(limits.events, simulation.limits().events)});
+    const InterruptNote interrupt;
+    while (!interrupt.is_interrupted()) {
+        const std::uint64_t count = simulation.event_count();
+        if (limits.events <= count || limits.events - count <= kEvents) {
+            simulation.play(limits);
+            return true;
+        }
+        if (simulation.play({limits.time, count + kEvents}) != Status::event_limit) {
+            simulation.play(limits);  // nothing more happens, within these limits
+            return true;
+        }
+    }
+    return false;
+}
+
+/// Plays a simulation in which there may be a stop, and keeps where it is. Nothing if it was
+/// interrupted.
+std::optional<Run> play_and_keep(Simulation& simulation, const RunArguments& arguments) {
+    const Limits limits = {arguments.time.value_or(simulation.limits().time),
+                           arguments.events.value_or(simulation.limits().events)};
+    Scene limited = simulation.scene();
+    limited.limits = limits;
+    validate(limited);
+    const bool is_finished = play(simulation, limits);
+    if (!arguments.snapshot.empty()) {
+        save_text(arguments.snapshot, io::simulation_to_snapshot(simulation));
+    }
+    if (is_finished) return simulation.result();
+    fmt::print(stderr, "osculo: interrupted at {:.9g} s, after {} events{}\n", simulation.time(),
+               simulation.event_count(),
+               arguments.snapshot.empty() || arguments.snapshot == kStandardStream
+                   ? ""
+                   : fmt::format("; osculo run {} goes on", arguments.snapshot));
+    return std::nullopt;
+}
+
+std::optional<Run> play(const RunArguments& arguments, const CLI::App& command) {
+    auto loaded = load_scene_or_simulation(arguments.scene);
+    if (auto* const simulation = std::get_if<Simulation>(&loaded)) {
+        refuse_beginnings(command, arguments.scene);
+        return play_and_keep(*simulation, arguments);
+    }
+    Scene scene = std::get<Scene>(loaded);
+    const bool shows_pieces =
+        !arguments.output.empty() || !arguments.svg.empty() || !arguments.snapshot.empty();
     Options options = arguments.engine.options(shows_pieces ? Record::pieces : Record::events);
     options.audit = arguments.audit;
     options.certify = arguments.certify;
+    if (!arguments.snapshot.empty()) {
+        Simulation simulation(scene, options);
+        return play_and_keep(simulation, arguments);
+    }
+    if (arguments.time) scene.limits.time = *arguments.time;
+    if (arguments.events) scene.limits.events = *arguments.events;
+    return simulate(scene, options);
+}
 
+ExitCode run(const RunArguments& arguments, const CLI::App& command) {
     const auto start = std::chrono::steady_clock::now();
-    const Run result = [&] {
+    const std::optional<Run> played = [&] {
         const Working working(arguments.quiet);
-        return simulate_named(scene, options, arguments.scene);
+        try {
+            return play(arguments, command);
+        } catch (const SceneError& error) {  // a limit given as an option
+            throw Failure(kInvalidScene, arguments.scene + ": " + error.what());
+        }
     }();
     const std::chrono::duration<double> took = std::chrono::steady_clock::now() - start;
+    if (!played) return kInterrupted;
+    const Run& result = *played;
 
     // The summary goes where no result goes.
     const bool has_result_on_stdout =
-        arguments.output == kStandardStream || arguments.svg == kStandardStream;
+        std::ranges::count(std::array{arguments.output, arguments.svg, arguments.snapshot},
+                           kStandardStream) > 0;
     if (!arguments.output.empty()) save_json(arguments.output, io::run_to_json(result));
     if (!arguments.svg.empty()) save_text(arguments.svg, io::to_svg(result));
     if (!arguments.quiet) {
@@ -78,11 +145,19 @@ ExitCode run(const RunArguments& arguments) {
 void add_run(CLI::App& app, ExitCode& exit_code) {
     auto* const command = app.add_subcommand("run", "Simulate a scene");
     const auto arguments = std::make_shared<RunArguments>();
-    command->add_option("scene", arguments->scene, kSceneHelp)->required()->option_text("SCENE");
+    command
+        ->add_option("scene", arguments->scene,
+                     std::string(kSceneHelp) + "; or a snapshot, to go on with")
+        ->required()
+        ->option_text("SCENE");
     command->add_option("-o,--output", arguments->output, "write the run (.json, .msgpack, -)")
         ->option_text("FILE");
     command->add_option("--svg", arguments->svg, "write a picture of the run")->option_text("FILE");
-    arguments->engine.add_to(*command, "pieces with -o or --svg, else events");
+    command
+        ->add_option("--snapshot", arguments->snapshot,
+                     "write where it ends or is interrupted, for run to go on from")
+        ->option_text("FILE");
+    arguments->engine.add_to(*command, "pieces with -o, --svg or --snapshot, else events");
     command->add_flag("--audit", arguments->audit, "check the run from its pieces alone");
     command->add_flag("--certify", arguments->certify,
                       "run again in higher precisions, and say how many digits can be trusted");
@@ -98,9 +173,11 @@ void add_run(CLI::App& app, ExitCode& exit_code) {
         "  osculo run scene.json --time 5 --audit\n"
         "  osculo run - -o - < scene.json > run.json\n"
         "  osculo run preset:gas --certify --time 3\n"
+        "  osculo run preset:break --time 1 --snapshot shot.snapshot\n"
+        "  osculo run shot.snapshot -o run.json     (the same bytes as without the stop)\n"
         "Exit code: 0 at rest or at the time limit, 1 ended early, 5 not all of it certain "
         "(--certify).");
-    command->callback([arguments, &exit_code] { exit_code = run(*arguments); });
+    command->callback([arguments, command, &exit_code] { exit_code = run(*arguments, *command); });
 }
 
 }  // namespace osculo::cli

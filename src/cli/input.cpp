@@ -35,6 +35,12 @@ std::string content_of(const std::string& name) {
     return content;
 }
 
+Scene scene_of(const std::string& name, const std::string& content) {
+    return named(name, [&] {
+        return is_msgpack(name) ? io::scene_from_msgpack(content) : io::scene_from_json(content);
+    });
+}
+
 }  // namespace
 
 bool is_msgpack(const std::string& path) {
@@ -43,10 +49,14 @@ bool is_msgpack(const std::string& path) {
 
 Scene load_scene(const std::string& name) {
     if (auto scene = preset(name)) return std::move(*scene);
+    return scene_of(name, content_of(name));
+}
+
+std::variant<Scene, Simulation> load_scene_or_simulation(const std::string& name) {
+    if (auto scene = preset(name)) return std::move(*scene);
     const std::string content = content_of(name);
-    return named(name, [&] {
-        return is_msgpack(name) ? io::scene_from_msgpack(content) : io::scene_from_json(content);
-    });
+    if (!io::is_snapshot(content)) return scene_of(name, content);
+    return named(name, [&] { return io::simulation_from_snapshot(content); });
 }
 
 std::variant<Scene, Run> load_scene_or_run(const std::string& name) {

@@ -5,6 +5,7 @@
 
 #include "osculo/run.hpp"
 #include "osculo/scene.hpp"
+#include "osculo/simulation.hpp"
 
 namespace osculo::cli {
 
@@ -17,6 +18,9 @@ inline constexpr const char* kSceneHelp = "scene file (.json, .msgpack), - or pr
 /// The scene of a file, of standard input ("-") or of a preset ("preset:NAME"), valid. Throws
 /// Failure, whose message begins with the name.
 [[nodiscard]] Scene load_scene(const std::string& name);
+
+/// The same, or a snapshot of a simulation.
+[[nodiscard]] std::variant<Scene, Simulation> load_scene_or_simulation(const std::string& name);
 
 /// A scene or a run, from the same places.
 [[nodiscard]] std::variant<Scene, Run> load_scene_or_run(const std::string& name);

@@ -38,6 +38,7 @@ BatchColumns::BatchColumns(BatchResult& result, std::size_t shots, std::size_t b
     result.cushions_after_hit.assign(shots, 0);
     result.driven_to_cushion.assign(shots, 0);
     result.kisses.assign(shots, 0);
+    result.settled_count.assign(shots, 0);
     const std::size_t places = shots * balls;
     result.fate.assign(places, ShotFate::absent);
     result.position.assign(places, Point{});
@@ -72,6 +73,7 @@ void BatchColumns::set(std::size_t shot, PlayedShot& played,
     result_.cushions_after_hit[shot] = small(outcome.cushions_after_hit);
     result_.driven_to_cushion[shot] = small(outcome.driven_to_cushion);
     result_.kisses[shot] = small(outcome.kisses);
+    result_.settled_count[shot] = played.settled_count;
     const std::size_t row = shot * result_.balls;
     for (std::size_t i = 0; i < result_.balls; ++i) {
         if (present.empty() || present[i] != 0) {

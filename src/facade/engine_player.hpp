@@ -41,6 +41,7 @@ public:
         played.status = engine_.run({S(limits.time), limits.events});
         played.time = math::to_double<S>(math::narrow(engine_.time()));
         played.event_count = engine_.event_count();
+        played.settled_count = engine_.settled_count();
         const Converter<Type> convert{scene_, compiled_};
         count(convert, played);
         played.balls.resize(bodies_.size());

@@ -6,6 +6,7 @@
 #include "compile_scene.hpp"
 #include "convert.hpp"
 #include "osculo/engine/scenes.hpp"
+#include "state_archive.hpp"
 #include "stoppable_run.hpp"
 
 namespace osculo::facade {
@@ -25,6 +26,11 @@ public:
 
     Status play(const Limits& limits) override {
         return engine_.play({S(limits.time), limits.events}, pause_);
+    }
+
+    void archive(StateArchive& archive) override {
+        engine_.archive(archive);
+        archive(pause_.at_this_instant);
     }
 
     [[nodiscard]] double time() const override {

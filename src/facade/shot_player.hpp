@@ -15,6 +15,7 @@ struct PlayedShot {
     Status status = Status::at_rest;
     double time = 0;
     std::uint64_t event_count = 0;
+    std::uint64_t settled_count = 0;
     OutcomeCounter counter;
     std::vector<FinalBall> balls;  ///< in the scene's order; of absent ones: anything
     Record record = Record::none;  ///< what is wanted of these, to which the shot's are added:

@@ -57,6 +57,9 @@ void write_json(JsonText& json, const Scene& scene, const BatchResult& result, s
         members.number("cushions_after_hit", std::uint64_t{result.cushions_after_hit[row]});
         members.number("driven_to_cushion", std::uint64_t{result.driven_to_cushion[row]});
         members.number("kisses", std::uint64_t{result.kisses[row]});
+        if (result.settled_count[row] > 0) {
+            members.number("settled_count", result.settled_count[row]);
+        }
         members.key("balls");
         for (std::size_t i = 0; i < result.balls; ++i) {
             json.raw(i == 0 ? "[" : ", ");
@@ -109,6 +112,7 @@ void append_csv(std::string& text, const Scene& scene, const BatchResult& result
     add_number(text, result.cushions_after_hit[row]);
     add_number(text, result.driven_to_cushion[row]);
     add_number(text, result.kisses[row]);
+    add_number(text, result.settled_count[row]);
     for (std::size_t k = row * result.balls; k < (row + 1) * result.balls; ++k) {
         add_text(text, to_string(result.fate[k]));
         add_number(text, result.position[k].x);
@@ -127,7 +131,7 @@ void append_csv(std::string& text, const Scene& scene, const BatchResult& result
 std::string csv_header(const Scene& scene) {
     std::string text =
         "shot,status,time,events,cue_ball,first_hit,cushions_before_hit,cushions_after_hit,"
-        "driven_to_cushion,kisses";
+        "driven_to_cushion,kisses,settled_count";
     for (const Ball& ball : scene.balls) {
         for (const char* what : {".fate", ".x", ".y", ".rim", ".capture_time"}) {
             add_text(text, ball.id + what);

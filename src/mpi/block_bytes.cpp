@@ -63,6 +63,7 @@ void visit(Archive& archive, Result& result) {
     archive(result.cushions_after_hit);
     archive(result.driven_to_cushion);
     archive(result.kisses);
+    archive(result.settled_count);
     archive(result.fate);
     archive(result.position);
     archive(result.rim);

@@ -84,6 +84,7 @@ py::dict columns_of(std::unique_ptr<BatchResult> owned) {
     columns.of_shots("cushions_after_hit", result.cushions_after_hit);
     columns.of_shots("driven_to_cushion", result.driven_to_cushion);
     columns.of_shots("kisses", result.kisses);
+    columns.of_shots("settled_count", result.settled_count);
     columns.of_balls("fate", result.fate);
     columns.points("position", result.position);
     columns.of_balls("rim", result.rim);

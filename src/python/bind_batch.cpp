@@ -181,7 +181,7 @@ The arrays belong to the result: nothing is copied.
 
 Of each shot, shape (N,): status (code, see SHOT_STATUSES), time [s], event_count, cue_ball and
 first_hit (index into scene.ids, or -1), cushions_before_hit, cushions_after_hit (of the cue ball),
-driven_to_cushion (number of other balls), kisses.
+driven_to_cushion (number of other balls), kisses, settled_count (as of a Run).
 Of each shot and ball, shape (N, balls): fate (code, see SHOT_FATES), position [m] (with a third axis of
 2), rim (index into scene.rim_ids, or -1), capture_time [s] (NaN: not captured), ball_contacts,
 cushion_contacts; with `states` also state, with position, velocity [m/s] and spin [rad/s].

@@ -11,6 +11,7 @@ void bind_scene(pybind11::module_& module);
 void bind_presets(pybind11::module_& module);
 void bind_run(pybind11::module_& module);
 void bind_simulate(pybind11::module_& module);
+void bind_simulation(pybind11::module_& module);
 void bind_noise(pybind11::module_& module);
 void bind_batch(pybind11::module_& module);
 

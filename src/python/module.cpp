@@ -11,6 +11,7 @@ PYBIND11_MODULE(_osculo, module) {
     osculo::python::bind_presets(module);
     osculo::python::bind_run(module);
     osculo::python::bind_simulate(module);
+    osculo::python::bind_simulation(module);
     osculo::python::bind_noise(module);
     osculo::python::bind_batch(module);
 }

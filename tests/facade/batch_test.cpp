@@ -2,12 +2,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <random>
 #include <stdexcept>
 
 #include <gtest/gtest.h>
 
 #include "osculo/outcome.hpp"
 #include "support/batches.hpp"
+#include "support/simulations.hpp"
 
 namespace osculo {
 namespace {
@@ -32,6 +34,7 @@ void expect_shot(const BatchResult& result, std::size_t i, const Run& run,
     EXPECT_EQ(result.cushions_after_hit[i], outcome.cushions_after_hit);
     EXPECT_EQ(result.driven_to_cushion[i], outcome.driven_to_cushion);
     EXPECT_EQ(result.kisses[i], outcome.kisses);
+    EXPECT_EQ(result.settled_count[i], run.settled_count);
     for (std::size_t n = 0; n < place.size(); ++n) {
         const std::size_t k = i * result.balls + place[n];
         EXPECT_EQ(result.fate[k], static_cast<ShotFate>(run.balls[n].fate));
@@ -100,6 +103,43 @@ TEST(Batch, OfStartsIsWhatSimulateSaysOneByOne) {
             }
             expect_shot(result, i, simulate(scene_of(scene, starts, i)), place);
         }
+    }
+}
+
+// Into a rim that pulls a ball falls by a transition, at a time and in a place of its own.
+TEST(Batch, CountsFallsIntoRimsThatPullAndWhatSettles) {
+    std::mt19937_64 random(5);
+    for (const MotionLaw& motion : {MotionLaw(UniformMotion{}), MotionLaw(RollingMotion{0.01})}) {
+        Scene scene = test::pulling_scene(motion);
+        scene.impacts.rest_speed = 0.4;
+        scene.limits.time = 5;
+        constexpr std::size_t kShots = 40;
+        std::vector<BallState> states;
+        for (std::size_t shot = 0; shot < kShots; ++shot) {
+            for (const Ball& ball : scene.balls) {
+                const Point velocity{0.2 + test::uniform(random),
+                                     0.2 * test::uniform(random) - 0.1};
+                states.push_back({ball.position, velocity, {}});
+            }
+        }
+        const Starts starts{states};
+        const BatchResult result = simulate_batch(scene, starts, {.states = true, .threads = 2});
+        std::size_t falls = 0;
+        std::uint64_t settled = 0;
+        for (std::size_t i = 0; i < kShots; ++i) {
+            expect_shot(result, i, simulate(scene_of(scene, starts, i)), all_places(4));
+            settled += result.settled_count[i];
+            for (std::size_t k = 4 * i; k < 4 * i + 4; ++k) {
+                if (result.rim[k] != 0) continue;
+                ++falls;
+                EXPECT_EQ(result.fate[k], ShotFate::captured);
+                EXPECT_GT(result.capture_time[k], 0);
+                EXPECT_NEAR(std::hypot(result.position[k].x, result.position[k].y),
+                            0.06 - scene.balls[0].radius, 1e-15);
+            }
+        }
+        EXPECT_GT(falls, 10U);
+        EXPECT_GT(settled, 5U);
     }
 }
 

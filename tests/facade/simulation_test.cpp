@@ -1,69 +1,21 @@
 #include "osculo/simulation.hpp"
 
 #include <algorithm>
-#include <cmath>
-#include <utility>
 #include <vector>
 
 #include <gtest/gtest.h>
 
 #include "support/batches.hpp"
+#include "support/simulations.hpp"
 
 namespace osculo {
 namespace {
 
-/// Scenes of every motion law, cushion law and kind of engine.
-std::vector<std::pair<Scene, Precision>> scenes() {
-    std::vector<std::pair<Scene, Precision>> all;
-    Scene pool = test::pool_scene(7);
-    pool.cue = Cue{.speed = 4, .azimuth = 1.55, .elevation = 0.2};
-    pool.limits = {60, 10000};
-    for (const CushionLaw law : {CushionLaw::restitution, CushionLaw::han_2005,
-                                 CushionLaw::mathavan_2010, CushionLaw::stronge}) {
-        pool.impacts.ball_cushion.law = law;
-        all.emplace_back(pool, Precision::double_precision);
-    }
-    pool.impacts.ball_cushion.law = CushionLaw::han_2005;
-    for (const Precision precision :
-         {Precision::extended, Precision::quad, Precision::digits50, Precision::digits100}) {
-        all.emplace_back(pool, precision);
-    }
-    pool.cue.reset();
-    pool.impacts.ball_ball = {BallBallLaw::restitution, 0.98, {}};
-    pool.impacts.ball_cushion = {CushionLaw::restitution, 0.95};
-    pool.balls[0].velocity = {0.4, 3};
-    pool.motion = RollingMotion{0.02};
-    all.emplace_back(pool, Precision::double_precision);
-    pool.motion = UniformMotion{};
-    pool.limits = {8, 10000};
-    all.emplace_back(pool, Precision::double_precision);  // all pairs
-    Scene gas;
-    test::add_box(gas, 8, 8);
-    for (int i = 0; i < 25; ++i) {
-        gas.balls.push_back(test::ball("g" + std::to_string(i),
-                                       {1 + 1.5 * (i % 5), 1 + 1.5 * (i / 5)},
-                                       {std::sin(i), std::cos(3 * i)}, 0.3));
-    }
-    gas.limits = {20, 300};
-    all.emplace_back(gas, Precision::double_precision);  // a cell grid
-    return all;
-}
-
-void expect_same(const osculo::Run& a, const osculo::Run& b) {
-    EXPECT_EQ(a.scene, b.scene);
-    EXPECT_EQ(a.status, b.status);
-    EXPECT_EQ(a.time, b.time);
-    EXPECT_EQ(a.event_count, b.event_count);
-    EXPECT_EQ(a.engine, b.engine);
-    EXPECT_EQ(a.points, b.points);
-    EXPECT_TRUE(a.events == b.events);
-    EXPECT_TRUE(a.pieces == b.pieces);
-    EXPECT_TRUE(a.balls == b.balls);
-    EXPECT_TRUE(a.audit == b.audit);
-}
+using test::expect_same;
+using test::simulations;
 
 TEST(Simulation, InPartsIsTheRunInOne) {
-    for (const auto& [scene, precision] : scenes()) {
+    for (const auto& [scene, precision] : simulations()) {
         const Options options{.precision = precision};
         SCOPED_TRACE(choose_engine(scene, options).name);
         const osculo::Run whole = simulate(scene, options);
@@ -96,7 +48,7 @@ TEST(Simulation, InPartsIsTheRunInOne) {
 }
 
 TEST(Simulation, StoppedIsARunWithThatLimit) {
-    for (const auto& [scene, precision] : scenes()) {
+    for (const auto& [scene, precision] : simulations()) {
         if (precision != Precision::double_precision) continue;
         const Options options{.precision = precision, .audit = true};
         SCOPED_TRACE(choose_engine(scene, options).name);
@@ -129,11 +81,21 @@ TEST(Simulation, StoppedIsARunWithThatLimit) {
         expect_same(simulation.result(), whole);
         EXPECT_EQ(simulation.play({1e9, 1000000}), whole.status);  // not beyond the scene's limits
         expect_same(simulation.result(), whole);
+        if (whole.status != Status::time_limit) continue;
+        Scene longer = scene;
+        longer.limits.time *= 1.5;
+        simulation.set_limits(longer.limits);
+        simulation.play();
+        expect_same(simulation.result(), simulate(longer, options));
     }
 }
 
 TEST(Simulation, OfABadSceneIsRefused) {
     Scene scene = test::pool_scene(2);
+    Simulation simulation(scene);
+    EXPECT_THROW(simulation.set_limits({-1, 10}), SceneError);
+    EXPECT_EQ(simulation.limits(), scene.limits);
+    EXPECT_EQ(simulation.scene(), scene);
     scene.balls[1].mass = -1;
     EXPECT_THROW(Simulation{scene}, SceneError);
 }

@@ -40,6 +40,7 @@ def test_every_shot_is_that_of_simulate():
         assert SCENE.ids[batch["first_hit"][i]] == outcome["hits"][0]["ball"]
         assert SCENE.ids[batch["cue_ball"][i]] == outcome["cue_ball"]
         assert batch["kisses"][i] == outcome["kisses"]
+        assert batch["settled_count"][i] == run.settled_count
         assert batch["driven_to_cushion"][i] == outcome["driven_to_cushion"]
         assert batch["ball_contacts"][i].tolist() == [ball["balls"] for ball in outcome["balls"]]
         falls = {fall["ball"]: fall["time"] for fall in outcome["falls"]}

@@ -82,11 +82,11 @@ inline bool same_result(const BatchResult& a, const BatchResult& b) {
            a.cue_ball == b.cue_ball && a.first_hit == b.first_hit &&
            a.cushions_before_hit == b.cushions_before_hit &&
            a.cushions_after_hit == b.cushions_after_hit &&
-           a.driven_to_cushion == b.driven_to_cushion && a.kisses == b.kisses && a.fate == b.fate &&
-           a.position == b.position && a.rim == b.rim &&
-           same_bits(a.capture_time, b.capture_time) && a.ball_contacts == b.ball_contacts &&
-           a.cushion_contacts == b.cushion_contacts && a.state == b.state &&
-           a.event_offsets == b.event_offsets && a.events == b.events &&
+           a.driven_to_cushion == b.driven_to_cushion && a.kisses == b.kisses &&
+           a.settled_count == b.settled_count && a.fate == b.fate && a.position == b.position &&
+           a.rim == b.rim && same_bits(a.capture_time, b.capture_time) &&
+           a.ball_contacts == b.ball_contacts && a.cushion_contacts == b.cushion_contacts &&
+           a.state == b.state && a.event_offsets == b.event_offsets && a.events == b.events &&
            a.piece_offsets == b.piece_offsets && a.pieces == b.pieces && a.points == b.points;
 }
 

@@ -30,6 +30,9 @@ public:
 
     void remove(BallIndex) {}
 
+    template <class Archive>
+    void archive(Archive&) {}
+
 private:
     BallIndex count_;
 };
@@ -62,6 +65,10 @@ public:
     void cross(BallIndex i, const Path& path);
 
     void remove(BallIndex i);
+
+    /// As Engine::archive(): the lists of the cells.
+    template <class Archive>
+    void archive(Archive& archive);
 
 private:
     static constexpr std::int32_t kNone = -1;
@@ -213,6 +220,32 @@ void CellGrid<S>::remove(BallIndex i) {
         places_[static_cast<std::size_t>(place.previous)].next = place.next;
     } else {
         heads_[cell(place.column, place.row)] = place.next;
+    }
+}
+
+template <math::Scalar S>
+template <class Archive>
+void CellGrid<S>::archive(Archive& archive) {
+    // Cell by cell, each list from its end on, as insert() makes it. Balls that are gone have none.
+    std::vector<BallIndex> order;
+    for (std::int32_t ball : heads_) {
+        const auto begin = order.size();
+        for (; ball != kNone; ball = places_[static_cast<std::size_t>(ball)].next) {
+            order.push_back(static_cast<BallIndex>(ball));
+        }
+        std::reverse(order.begin() + static_cast<std::ptrdiff_t>(begin), order.end());
+    }
+    archive(order);
+    std::vector<bool> seen(places_.size(), false);
+    std::fill(heads_.begin(), heads_.end(), kNone);
+    for (const BallIndex i : order) {
+        archive.require(i < places_.size() && !seen[i]);
+        seen[i] = true;
+        Place& place = places_[i];
+        archive(place.column, place.row);
+        archive.require(place.column >= 0 && place.column < columns_ && place.row >= 0 &&
+                        place.row < rows_);
+        insert(i);
     }
 }
 

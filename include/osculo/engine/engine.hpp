@@ -151,6 +151,12 @@ public:
     [[nodiscard]] std::uint64_t prediction_count() const { return prediction_count_; }
     [[nodiscard]] typename Type::Recorder& recorder() { return recorder_; }
 
+    /// Shows an archive, in a fixed order, all that a run changes: it takes that down, or puts in
+    /// what it took down of an engine that began with the same scene. archive.require(bool) then
+    /// has to refuse what is not true of any.
+    template <class Archive>
+    void archive(Archive& archive);  // archive.hpp
+
 private:
     using Scheduled = Event<S>;
     using Box = geometry::Box<S>;
@@ -196,6 +202,11 @@ private:
     [[nodiscard]] bool cause_explained(const Contact& cause) const;
     [[nodiscard]] std::optional<bool> resolve_cluster(const Contact& cause);
     void record_cluster(bool well_posed);
+
+    // archive.hpp
+    [[nodiscard]] bool exists(Kind kind, BallIndex first, std::uint32_t second) const;
+    template <class Memory>
+    [[nodiscard]] bool is_known(const Memory& memory) const;
 
     [[nodiscard]] bool carry_out(const Scheduled& event);
     [[nodiscard]] bool resolves(BallIndex i) const;
@@ -517,6 +528,7 @@ Status Engine<Type>::finish(Status status, const RunLimits<S>& limits) {
 
 }  // namespace osculo::engine
 
+#include "osculo/engine/archive.hpp"
 #include "osculo/engine/cluster.hpp"
 #include "osculo/engine/gathering.hpp"
 #include "osculo/engine/prediction.hpp"

@@ -61,6 +61,12 @@ public:
         return longest_;
     }
 
+    /// As Engine::archive().
+    template <class Archive>
+    void archive(Archive& archive) {
+        archive(last_, longest_, any_);
+    }
+
 private:
     math::Instant<S> last_{S(0)};
     S longest_{0};

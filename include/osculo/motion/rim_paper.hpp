@@ -80,6 +80,8 @@ public:
     [[nodiscard]] const S& most_speed() const { return most_speed_; }
     [[nodiscard]] const geometry::Rim<S>& rim() const { return start_.rim; }
     [[nodiscard]] const S& gravity() const { return start_.gravity; }
+    /// That of the ball.
+    [[nodiscard]] const S& radius() const { return start_.radius; }
 
 private:
     /// What is known before anything is integrated.

@@ -58,7 +58,7 @@ public:
           radius_(radius),
           heaviness_(heaviness),
           ball_(ball),
-          touches_(begins != TippingStart::flies) {
+          begins_(begins) {
         const math::WidePoint<S> x = math::wide_difference<S>(ball.position, rim.center);
         const Wide d = math::wide_square_root<S>(Wide(x.x * x.x + x.y * x.y));
         out_ = x.rounded() / math::narrow(d);
@@ -85,7 +85,9 @@ public:
         return (!contact_ || contact_->sound()) && math::is_finite<S>(duration_);
     }
     /// Whether it is on the edge, at the time t [s].
-    [[nodiscard]] bool touches(const S& t) const { return contact_ || (touches_ && !(t > S(0))); }
+    [[nodiscard]] bool touches(const S& t) const {
+        return contact_ || (begins_ != TippingStart::flies && !(t > S(0)));
+    }
     [[nodiscard]] bool on_edge() const { return contact_.has_value(); }
 
     /// Place, velocity and half the acceleration at t [s], 0 <= t <= duration(), until the end.
@@ -131,7 +133,13 @@ public:
     [[nodiscard]] const geometry::Rim<S>& rim() const { return rim_; }
     [[nodiscard]] const S& gravity() const { return gravity_; }
     /// 1 + k as long as it rolls on the edge, 1 otherwise.
-    [[nodiscard]] const S& heaviness() const { return heaviness_; }
+    [[nodiscard]] S heaviness() const { return contact_ ? heaviness_ : S(1); }
+
+    /// What it was made of, besides rim() and gravity().
+    [[nodiscard]] const S& ball_radius() const { return radius_; }
+    [[nodiscard]] const S& given_heaviness() const { return heaviness_; }
+    [[nodiscard]] const Hovering<S>& start() const { return ball_; }
+    [[nodiscard]] TippingStart begins() const { return begins_; }
 
 private:
     [[nodiscard]] S units_of(const S& t) const {
@@ -202,7 +210,6 @@ private:
     }
 
     void fly(const math::WidePoint<S>& x, int zeros) {
-        heaviness_ = S(1);
         const Wide r(radius_);
         const Wide speed = math::wide_square_root<S>(math::wide_product<S>(gravity_, radius_));
         const auto length = [&](const Wide& a) { return math::wide_quotient(a, r); };
@@ -224,7 +231,7 @@ private:
     S radius_;
     S heaviness_;
     Hovering<S> ball_;
-    bool touches_;
+    TippingStart begins_;
     Vec out_{S(0), S(0)};
     Wide rim_ratio_{};
     S unit_speed_{1};

@@ -47,6 +47,7 @@ NamedArrays empty_columns(std::size_t balls) {
             {"cushions_after_hit", column<std::uint32_t>()},
             {"driven_to_cushion", column<std::uint32_t>()},
             {"kisses", column<std::uint32_t>()},
+            {"settled_count", column<std::uint64_t>()},
             {"fate", column<std::uint8_t>({balls})},
             {"position", column<double>({balls, 2})},
             {"rim", column<std::int32_t>({balls})},
@@ -143,6 +144,7 @@ void ArraySink::write(const BatchResult& result, std::size_t rows, std::uint64_t
     adder.add(result.cushions_after_hit);
     adder.add(result.driven_to_cushion);
     adder.add(result.kisses);
+    adder.add(result.settled_count);
     adder.add(result.fate, balls);
     adder.add(result.position, balls);
     adder.add(result.rim, balls);
