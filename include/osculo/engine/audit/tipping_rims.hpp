@@ -101,13 +101,18 @@ template <math::Scalar S>
     if (!a.stay || !b.stay) return plan;  // on the table: what was vertical is lost there
     return std::max<S>(plan, math::abs<S>(S(a.climb - b.climb)));
 }
+/// In a rim, places are known to the rounding of that, and with them the speed along the edge to as
+/// much of it as that is of the distance from the axis.
 template <math::Scalar S>
 [[nodiscard]] S motion_scale(const RollingTippingRims<S>& state, const S& t) {
     if (!state.stay) {
         return motion_scale<S>(static_cast<const motion::Rolling::State<S>&>(state), t);
     }
     const OverHole<S> in(state.stay->rim(), in_space<S>(state));
-    return math::square_root<S>(in.twice_kinetic + S(2) * state.stay->gravity() * in.distance);
+    const S speed =
+        math::square_root<S>(in.twice_kinetic + S(2) * state.stay->gravity() * in.distance);
+    const S& rim = state.stay->rim().radius;
+    return state.stay->on_edge() ? S(speed * rim / (rim - state.ball_radius)) : speed;
 }
 /// With that of its height, which is 0 on the table. A ball that rolls on the edge shares with its
 /// rotation what it gains there.

@@ -90,7 +90,8 @@ private:
         }
         for (std::size_t i = 0; i < 3; ++i) p[i] = p[i] - Wide(S(4)) * rim_square * plan[i];
 
-        // What is known to be 0, or is beyond the edge by rounding, is divided out.
+        // What is known to be 0, or is beyond the edge by rounding, is divided out to find where it
+        // comes down again, but not from what tells that place: it would add up over many hops.
         std::size_t known = static_cast<std::size_t>(start_.zeros);
         if (known == 0 && !(p[0] > Wide(S(0)))) known = 1;
         Poly q{};
@@ -103,7 +104,7 @@ private:
         if (q[0] < Wide(S(0))) q[0] = S(0);  // by rounding
         const S hit = first_fall(q);
         if (!(hit <= S(1))) return;
-        duration_ = duration_ * hit;
+        duration_ = duration_ * polished(p, hit);
         end_ = FlightEnd::edge;
     }
 
@@ -111,8 +112,7 @@ private:
 
     /// The first fall of p to zero in (0, 1], or 2. p(0) >= 0.
     [[nodiscard]] static S first_fall(const Poly& wide) {
-        Narrow p;
-        for (std::size_t k = 0; k <= kDegree; ++k) p.p[k] = math::narrow(wide[k]);
+        const Narrow p = narrowed(wide);
         // The derivatives, from the highest down: where each changes its sign.
         std::array<S, kDegree + 2> turns{S(0), S(1)};
         std::size_t count = 2;
@@ -133,8 +133,7 @@ private:
             if (math::narrow(value(wide, turns[i + 1])) > S(0)) continue;
             const S start = turns[i];
             if (!(p(turns[i + 1]) < S(0)) || !(p(start) > S(0) || i == 0)) return turns[i + 1];
-            const S z = math::bracketed_root<S>(p, start, turns[i + 1], false);
-            return polished(wide, p, z);
+            return math::bracketed_root<S>(p, start, turns[i + 1], false);
         }
         return S(2);
     }
@@ -154,15 +153,21 @@ private:
         return sum;
     }
     /// Newton's steps with the value in wide precision.
-    [[nodiscard]] static S polished(const Poly& wide, const Narrow& p, S t) {
+    [[nodiscard]] static S polished(const Poly& p, S t) {
+        const Narrow slopes = derivative(narrowed(p), 1);
         for (int i = 0; i < 3; ++i) {
-            const S slope = p.slope(t);
+            const S slope = slopes(t);
             if (!(slope < S(0))) break;
-            const S step = math::narrow(value(wide, t)) / slope;
+            const S step = math::narrow(value(p, t)) / slope;
             if (!(math::abs<S>(step) < S(0x1p-10) * t)) break;  // a graze
             t -= step;
         }
         return std::clamp<S>(t, S(0), S(1));
+    }
+    [[nodiscard]] static Narrow narrowed(const Poly& p) {
+        Narrow result;
+        for (std::size_t k = 0; k <= kDegree; ++k) result.p[k] = math::narrow(p[k]);
+        return result;
     }
 
     Start start_;
