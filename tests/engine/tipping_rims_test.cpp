@@ -126,6 +126,29 @@ TEST(TippingRims, KeepEnergyAndAngularMomentum) {
     }
 }
 
+/// What hits a dead edge too fast to stay on it slides along it for an instant and flies on.
+TEST(TippingRims, DeadEdgesAreLeft) {
+    Random random(9);
+    int left = 0;
+    for (int i = 0; i < 1000; ++i) {
+        auto data = scene(0.01, 1, 0, kRadius * (1.02 + random.unit<double>()));
+        const double a = 3 * random.unit<double>() - 1.5;
+        add(data, Vec(data.motion.rims[0].radius + 0.01, 0),
+            random.magnitude<double>(-2, 2) * Vec(-std::cos(a), std::sin(a)));
+        Engine engine(data);
+        const Status status = engine.run({20, 1000});
+        EXPECT_TRUE(status == Status::at_rest || status == Status::time_limit)
+            << i << " " << to_string(status);
+        for (const auto& event : engine.recorder().events) {
+            const auto& was = event.before[0].stay;
+            const auto& is = event.after[0].stay;
+            left += was && is && was->end() == TippingEnd::edge && !is->on_edge();
+        }
+        expect_clean(data, engine, std::to_string(i));
+    }
+    EXPECT_GT(left, 50);
+}
+
 /// Two balls and a hole in a random scene, whatever happens.
 template <class T>
 void random_scenes(int count_of_scenes, int seed) {

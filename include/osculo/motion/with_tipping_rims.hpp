@@ -5,6 +5,7 @@
 #include <memory>
 #include <vector>
 
+#include "osculo/math/error_bounds.hpp"
 #include "osculo/motion/rim_path.hpp"
 #include "osculo/motion/rim_tipping_stay.hpp"
 #include "osculo/motion/with_rims.hpp"
@@ -241,7 +242,9 @@ private:
     static void hit_edge(const Parameters<S>& law, State<S>& state) {
         const FromEdge<S> from = from_edge(law, state);
         S off = from.off < S(0) ? S(-law.restitutions[state.rim] * from.off) : from.off;
-        if (settles(law, from, off)) off = S(0);
+        const S noise = S(math::kVelocityNoise) * math::epsilon<S>() *
+                        (math::norm1<S>(state.velocity) + math::abs<S>(state.climb));
+        if (off <= noise || settles(law, from, off)) off = S(0);
         state.velocity -= ((off - from.off) * from.sine) * from.out;
         state.climb += (off - from.off) * from.cosine;
         state.slides = true;

@@ -96,7 +96,7 @@ private:
         if (known == 0 && !(p[0] > Wide(S(0)))) known = 1;
         Poly q{};
         for (std::size_t i = known; i <= kDegree; ++i) q[i - known] = p[i];
-        if (known == 1 && q[0] < Wide(S(0))) {
+        if (start_.zeros == 0 && known == 1 && q[0] < Wide(S(0))) {
             duration_ = S(0);
             end_ = FlightEnd::edge;
             return;
