@@ -1,22 +1,21 @@
 #include <gtest/gtest.h>
 
-#include "support/builder.hpp"
+#include "support/laws.hpp"
 #include "support/random.hpp"
-#include "support/scalars.hpp"
 
 // Newton's cradle, touching and with gaps down to far below the resolution of the balls' places.
 namespace osculo::support {
 namespace {
 
-template <class S>
+template <class U>
 class Cradle : public ::testing::Test {};
-TYPED_TEST_SUITE(Cradle, AllScalars, ScalarName);
+TYPED_TEST_SUITE(Cradle, AllUnderBoth, UnderName);
 
 /// [incoming] of [count] balls of radius 1 come from the left, the others wait with [gap] between.
-template <math::Scalar S>
-engine::SceneData<TableScene<S>> cradle(int count, int incoming, const S& gap) {
+template <class Type, class S = typename Type::Scalar>
+engine::SceneData<Type> cradle(int count, int incoming, const S& gap) {
     using Vec = math::Vec<S>;
-    Builder<TableScene<S>> builder;
+    Builder<Type> builder;
     for (int k = 0; k < count; ++k) {
         const bool comes = k < incoming;
         builder.ball(Vec(S(2 * k - (comes ? 5 : 0)), S(0)), Vec(S(comes ? 1 : 0), S(0)));
@@ -26,9 +25,9 @@ engine::SceneData<TableScene<S>> cradle(int count, int incoming, const S& gap) {
     return builder.scene;
 }
 
-template <math::Scalar S>
+template <class Type, class S = typename Type::Scalar>
 void expect_as_many_leave_as_come(int count, int incoming, const S& gap, bool first_ball_only) {
-    const auto played = play<TableScene<S>>(cradle<S>(count, incoming, gap), S(8));
+    const auto played = play<Type>(cradle<Type>(count, incoming, gap), S(8));
     const std::string name = std::to_string(count) + " balls, " + std::to_string(incoming) +
                              " come, gap " + std::to_string(math::to_double<S>(gap));
     ASSERT_EQ(played.status, Status::time_limit) << name;
@@ -46,32 +45,35 @@ void expect_as_many_leave_as_come(int count, int incoming, const S& gap, bool fi
 }
 
 TYPED_TEST(Cradle, OneComesOneLeaves) {
-    using S = TypeParam;
+    using S = typename TypeParam::Scalar;
+    using Type = typename TypeParam::Type;
     for (int count = 3; count <= 15; ++count) {
-        expect_as_many_leave_as_come<S>(count, 1, S(0), true);
+        expect_as_many_leave_as_come<Type>(count, 1, S(0), true);
         for (int k = 3; k <= 15; ++k) {
-            expect_as_many_leave_as_come<S>(count, 1, power_of_ten<S>(-k), true);
+            expect_as_many_leave_as_come<Type>(count, 1, power_of_ten<S>(-k), true);
         }
     }
 }
 
 TYPED_TEST(Cradle, AsManyLeaveAsCome) {
-    using S = TypeParam;
+    using S = typename TypeParam::Scalar;
+    using Type = typename TypeParam::Type;
     for (const int count : {3, 5, 8, 15}) {
         for (const int incoming : {2, count / 2, count - 1}) {
-            expect_as_many_leave_as_come<S>(count, incoming, S(0), false);
+            expect_as_many_leave_as_come<Type>(count, incoming, S(0), false);
             for (int k = 3; k <= 15; k += 3) {
-                expect_as_many_leave_as_come<S>(count, incoming, power_of_ten<S>(-k), false);
+                expect_as_many_leave_as_come<Type>(count, incoming, power_of_ten<S>(-k), false);
             }
         }
     }
 }
 
 TYPED_TEST(Cradle, OfDifferentMassesKeepsMomentumAndEnergy) {
-    using S = TypeParam;
-    auto scene = cradle<S>(3, 1, S(0));
+    using S = typename TypeParam::Scalar;
+    using Type = typename TypeParam::Type;
+    auto scene = cradle<Type>(3, 1, S(0));
     for (std::size_t k = 0; k < 3; ++k) scene.bodies[k].mass = S(static_cast<int>(k) + 1);
-    const auto played = play<TableScene<S>>(scene, S(8));
+    const auto played = play<Type>(scene, S(8));
     // Masses 1, 2, 3, pair by pair: (-1/3, 2/3, 0), then (-1/3, -2/15, 8/15).
     const S expected[] = {S(-1) / S(3), S(-2) / S(15), S(8) / S(15)};
     for (std::size_t k = 0; k < 3; ++k) {
@@ -79,11 +81,12 @@ TYPED_TEST(Cradle, OfDifferentMassesKeepsMomentumAndEnergy) {
     }
 }
 
-template <math::Scalar S>
-Played<TableScene<S>> inelastic_row(int count, double restitution, double gap) {
-    auto scene = cradle<S>(count, 1, S(gap));
+template <class Type>
+Played<Type> inelastic_row(int count, double restitution, double gap) {
+    using S = typename Type::Scalar;
+    auto scene = cradle<Type>(count, 1, S(gap));
     scene.ball_ball_restitution = S(restitution);
-    auto played = play<TableScene<S>>(scene, S(100), 50000);
+    auto played = play<Type>(scene, S(100), 50000);
     const engine::RunAudit audit = played.audit();
     EXPECT_TRUE(audit.clean) << restitution << " " << gap << " " << describe(audit);
     EXPECT_LE(audit.energy_final, audit.energy_initial);
@@ -95,13 +98,14 @@ Played<TableScene<S>> inelastic_row(int count, double restitution, double gap) {
 }
 
 TYPED_TEST(Cradle, ShortInelasticRowsEndUpApartOrTogether) {
-    using S = TypeParam;
+    using S = typename TypeParam::Scalar;
+    using Type = typename TypeParam::Type;
     for (const int count : {2, 3, 4, 5}) {
         for (const double restitution : {0.0, 0.1, 0.5, 0.9}) {
             // Pair by pair in the order of indices, the perfectly inelastic ones take too long.
             if (count > 3 && restitution < 0.5) continue;
             for (const double gap : {0.0, 1e-12, 1e-3}) {
-                const auto played = inelastic_row<S>(count, restitution, gap);
+                const auto played = inelastic_row<Type>(count, restitution, gap);
                 ASSERT_EQ(played.status, Status::time_limit)
                     << count << " " << restitution << " " << gap;
                 for (std::size_t k = 1; k < played.bodies.size(); ++k) {
@@ -118,12 +122,12 @@ TYPED_TEST(Cradle, ShortInelasticRowsEndUpApartOrTogether) {
 }
 
 TYPED_TEST(Cradle, LongInelasticRowsEnd) {
-    using S = TypeParam;
+    using Type = typename TypeParam::Type;
     // Pair by pair in the order of indices takes a number of impacts that grows exponentially with
     // the row: reported as impacts that accumulate.
     for (const double restitution : {0.0, 0.5}) {
         for (const double gap : {0.0, 1e-12, 1e-3}) {
-            EXPECT_LT(inelastic_row<S>(15, restitution, gap).events, 10000u);
+            EXPECT_LT(inelastic_row<Type>(15, restitution, gap).events, 10000u);
         }
     }
 }
