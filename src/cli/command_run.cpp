@@ -3,6 +3,7 @@
 #include <chrono>
 #include <memory>
 #include <optional>
+#include <variant>
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
@@ -88,13 +89,11 @@ std::optional<Run> play_and_keep(Simulation& simulation, const RunArguments& arg
     return std::nullopt;
 }
 
-std::optional<Run> play(const RunArguments& arguments, const CLI::App& command) {
-    auto loaded = load_scene_or_simulation(arguments.scene);
+std::optional<Run> play(const RunArguments& arguments, std::variant<Scene, Simulation>& loaded) {
     if (auto* const simulation = std::get_if<Simulation>(&loaded)) {
-        refuse_beginnings(command, arguments.scene);
         return play_and_keep(*simulation, arguments);
     }
-    Scene scene = std::get<Scene>(loaded);
+    Scene& scene = std::get<Scene>(loaded);
     const bool shows_pieces =
         !arguments.output.empty() || !arguments.svg.empty() || !arguments.snapshot.empty();
     Options options = arguments.engine.options(shows_pieces ? Record::pieces : Record::events);
@@ -110,11 +109,14 @@ std::optional<Run> play(const RunArguments& arguments, const CLI::App& command) 
 }
 
 ExitCode run(const RunArguments& arguments, const CLI::App& command) {
+    auto loaded = load_scene_or_simulation(arguments.scene);
+    if (std::holds_alternative<Simulation>(loaded)) refuse_beginnings(command, arguments.scene);
+
     const auto start = std::chrono::steady_clock::now();
     const std::optional<Run> played = [&] {
         const Working working(arguments.quiet);
         try {
-            return play(arguments, command);
+            return play(arguments, loaded);
         } catch (const SceneError& error) {  // a limit given as an option
             throw Failure(kInvalidScene, arguments.scene + ": " + error.what());
         }

@@ -47,7 +47,9 @@ void SimulationState::show(Simulation::Implementation& simulation, facade::State
     auto status = static_cast<std::uint8_t>(simulation.status);
     archive(simulation.most.time, simulation.most.events, has_reached, reached.time, reached.events,
             status);
-    facade::StateArchive::require(status <= static_cast<std::uint8_t>(Status::numeric));
+    const bool is_new = status == static_cast<std::uint8_t>(Status::event_limit);
+    facade::StateArchive::require(status <= static_cast<std::uint8_t>(Status::numeric) &&
+                                  (has_reached || is_new));
     if (has_reached) simulation.reached = reached;
     simulation.status = static_cast<Status>(status);
     simulation.run->archive(archive);
