@@ -156,7 +156,7 @@ void random_scenes(int count_of_scenes, int seed) {
     int hits = 0;
     constexpr double kRims[]{1.1 * kRadius, kRim, 4 * kRadius};
     for (int i = 0; i < count_of_scenes; ++i) {
-        Random random(seed + i);
+        Random random(static_cast<std::uint64_t>(seed + i));
         auto data =
             scene<T>(i % 2 == 0 ? 0.01 : 0, i % 3 == 0 ? 1 : 0.8, i % 5 * 0.25, kRims[i % 7 % 3]);
         const double rim = kRims[i % 7 % 3];

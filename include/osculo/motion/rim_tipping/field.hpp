@@ -51,10 +51,10 @@ struct TippingField {
         const TippingField& field;
         [[nodiscard]] S operator()(const S& z) const {
             const RimPlace<S> p = field.at(z);
-            const S& rim = field.rim;
+            const S& edge = field.rim;
             return (field.heaviness - field.at_rim) - (field.heaviness + S(2)) * drop(z) +
-                   field.moment_square * p.q * (rim * rim + rim * p.d + p.d * p.d) /
-                       (rim * rim * p.d * p.d * p.d);
+                   field.moment_square * p.q * (edge * edge + edge * p.d + p.d * p.d) /
+                       (edge * edge * p.d * p.d * p.d);
         }
         [[nodiscard]] S slope(const S& z) const {
             const RimPlace<S> p = field.at(z);
