@@ -133,8 +133,8 @@ private:
     }
 
     /// A stay in a rim follows from its start, and is shared by all states of it.
-    template <class S>
-    void plain(std::shared_ptr<const motion::RimPaperMotion<S>>& stay) {
+    template <class Stay>
+    void plain(std::shared_ptr<const Stay>& stay) {
         // 0: none; otherwise the number of one that has been before, or the next one.
         std::uint64_t number = 0;
         if (stay) number = numbers_.try_emplace(stay.get(), stays_.size() + 1).first->second;
@@ -143,7 +143,7 @@ private:
         if (number == 0) {
             stay = nullptr;
         } else if (number <= stays_.size()) {
-            stay = std::static_pointer_cast<const motion::RimPaperMotion<S>>(stays_[number - 1]);
+            stay = std::static_pointer_cast<const Stay>(stays_[number - 1]);
         } else {
             begin_stay(stay);
             stays_.push_back(stay);
