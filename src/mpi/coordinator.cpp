@@ -57,7 +57,7 @@ void Coordinator::take(const Ranks::Message& message) {
     busy_.erase(message.from);
     BlockResult answer = result_from(message.text);
     const auto found = work_.find(answer.first);
-    if (found == work_.end() || found->second.is_done) return;  // another rank was faster
+    if (found == work_.end() || found->second.is_done) return;      // another rank was faster
     if (answer.result.shots != found->second.block.size()) return;  // it died in between
     found->second.result = std::move(answer.result);
     found->second.is_done = true;
