@@ -209,9 +209,14 @@ private:
     template <math::Scalar S>
     static void come_in(const Parameters<S>& law, State<S>& state) {
         const auto& rim = law.rims[state.rim];
-        const math::Vec<S> x = math::difference<S>(state.position, rim.center);
-        const S d = math::norm<S>(x);
-        const S sine = std::clamp<S>(S((rim.radius - d) / state.ball_radius), S(0), S(1));
+        // In wide precision: of a large hole, the tilt is a small part.
+        const auto wide = math::wide_difference<S>(state.position, rim.center);
+        const math::Wide<S> distance =
+            math::wide_square_root<S>(math::Wide<S>(wide.x * wide.x + wide.y * wide.y));
+        const S inside = math::narrow(math::Wide<S>(math::Wide<S>(rim.radius) - distance));
+        const math::Vec<S> x = wide.rounded();
+        const S d = math::narrow(distance);
+        const S sine = std::clamp<S>(S(inside / state.ball_radius), S(0), S(1));
         const S cosine = math::square_root<S>((S(1) - sine) * (S(1) + sine));
         const S radial = math::dot<S>(state.velocity, x) / d;
         state.height = state.ball_radius * cosine;
