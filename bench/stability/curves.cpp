@@ -110,6 +110,7 @@ Case corridor(double room, double bounces, const std::string& name) {
     const bool at_floor = std::fmod(bounces, 2.0) > 0;
     c.expected = {{(bounces - 1) * passage, at_floor ? 1 : 1 + passage, 1, at_floor ? 1. : -1.}};
     c.about = bounces;
+    c.sequential_only = room < 1e-13;
     return c;
 }
 
@@ -124,7 +125,7 @@ void add_curves(Catalogue& all) {
     }
     Case jammed = corridor(1, 2, "corridor without any room, across");
     jammed.scene.segments[1] = {"lid", {1000, 2}, {-1000, 2}, Side::left};
-    jammed.statuses = {Status::zeno};
+    jammed.statuses = {Status::zeno, Status::time_limit};  // in turn; at once, it goes on along
     jammed.status_only = true;
     jammed.scene.limits = {1000, 100'000};
     jammed.most_events = 2000;

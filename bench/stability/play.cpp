@@ -49,6 +49,8 @@ double digits_of(double error) {
 Scene under(const Scene& scene, std::size_t law) {
     Scene copy = scene;
     copy.impacts.simultaneous = kLaws[law].law;
+    // Of the symmetric law only.
+    if (kLaws[law].law == Simultaneous::sequential) copy.impacts.rest_speed.reset();
     return copy;
 }
 
