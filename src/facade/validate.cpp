@@ -357,6 +357,13 @@ void validate_place(const Scene& scene, std::size_t i) {
             continue;
         }
         check(depth_in(ball, arc), "arcs", k, "");
+        const double off =
+            std::hypot(ball.position.x - arc.center.x, ball.position.y - arc.center.y);
+        require(ball.radius < arc.radius || off > math::kStartOverlap * arc.radius,
+                at("balls", i, ".radius"),
+                concatenated("must be < that of ", at("arcs", k, ""),
+                             ", all of which the ball would touch at once at its centre"),
+                ball.radius);
         if (arc.to_angle - arc.from_angle < 2 * std::numbers::pi * (1 - 4 * 0x1p-52)) {
             check(depth_in(ball, on_arc(arc, arc.from_angle)), "arcs", k, " (its start)");
             check(depth_in(ball, on_arc(arc, arc.to_angle)), "arcs", k, " (its end)");

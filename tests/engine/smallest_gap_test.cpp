@@ -88,12 +88,13 @@ TEST(SmallestGap, OfAOneSidedSegmentCountsOnTheWayIn) {
     };
     EXPECT_EQ(gap({5, 3}, {6, 2}), 1);  // near
     EXPECT_EQ(gap({5, 2}, {5, 0.75}), -0.25);
-    EXPECT_EQ(gap({5, 2}, {5, -2}), -3);                // through
-    EXPECT_EQ(gap({5, 1}, {6, 1}), 0);                  // along
-    EXPECT_EQ(gap({5, 1}, {6, 2}), 0);                  // away
-    EXPECT_TRUE(std::isinf(gap({5, -2}, {5, 2})));      // from behind
-    EXPECT_TRUE(std::isinf(gap({5, 0.5}, {5, 0.75})));  // on the way out
-    EXPECT_EQ(gap({5, 0.75}, {5, 0.5}), -0.5);          // and in again
+    EXPECT_EQ(gap({5, 2}, {5, -2}), -3);                         // through
+    EXPECT_EQ(gap({5, 1}, {6, 1}), 0);                           // along
+    EXPECT_EQ(gap({5, 1}, {6, 2}), 0);                           // away
+    EXPECT_TRUE(std::isinf(gap({5, -2}, {5, 2})));               // from behind
+    EXPECT_TRUE(std::isinf(gap({5, 0.5}, {5, 0.75})));           // on the way out
+    EXPECT_EQ(gap({5, 0.75}, {5, 0.5}), -0.5);                   // and in again
+    EXPECT_TRUE(std::isinf(gap({5, 0.5}, {5, 0.5 - 0x1p-53})));  // it rests there, but for rounding
     EXPECT_TRUE(std::isinf(gap({5, -2}, {5, -1})));
     EXPECT_TRUE(std::isinf(gap({-5, 2}, {-1, 0})));  // beside
     EXPECT_EQ(gap({-2, 4}, {2, 0}), 0.0 - 1.0);      // ends on the line

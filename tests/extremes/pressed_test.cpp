@@ -161,7 +161,7 @@ TEST(Pressed, FollowThroughBehindFrozenBalls) {
 
 /// Two balls beside each other on the slope of one rim, whose pull brings them together on the way
 /// down.
-Run on_one_rim(double e, Simultaneous law, double apart) {
+Run on_one_rim(double e, Simultaneous law, double apart, double until) {
     Scene scene;
     scene.motion = RollingMotion{0.01};
     scene.impacts.ball_ball.restitution = e;
@@ -174,8 +174,8 @@ Run on_one_rim(double e, Simultaneous law, double apart) {
         ball.radius = radius;
         scene.balls.push_back(ball);
     }
-    scene.limits = {0.1, 100'000};
-    return simulate(scene, {.record = Record::events});
+    scene.limits = {until, 100'000};
+    return simulate(scene, {.audit = true});
 }
 
 TEST(Pressed, TwoBallsPulledIntoEachOther) {
@@ -183,7 +183,8 @@ TEST(Pressed, TwoBallsPulledIntoEachOther) {
         for (const double apart : {0.0, 1e-3}) {
             for (const double e : {0.9, 1e-3, 0.0}) {
                 SCOPED_TRACE(named(e, law) + ", apart " + std::to_string(apart));
-                const auto run = on_one_rim(e, law, apart);
+                const auto run = on_one_rim(e, law, apart, 0.1);
+                EXPECT_TRUE(run.audit->clean);
                 EXPECT_EQ(run.status, Status::time_limit);
                 EXPECT_GE(count(run, EventKind::ball_ball), 1);
                 EXPECT_LE(contacts(run), run.time / kContactTime + 100);
@@ -198,6 +199,19 @@ TEST(Pressed, TwoBallsPulledIntoEachOther) {
                 if (apart == 0 || e < 0.01) {
                     EXPECT_LE(gap, 2 * 9.81 * kContactTime * kContactTime / 8);
                 }
+            }
+        }
+    }
+}
+
+TEST(Pressed, OnOneRimUntilBothHaveFallen) {
+    for (const Simultaneous law : kLaws) {
+        for (const double e : {0.9, 0.5, 0.0}) {
+            for (const double apart : {0.0, 1e-6, 1e-3}) {
+                SCOPED_TRACE(named(e, law) + ", apart " + std::to_string(apart));
+                const auto run = on_one_rim(e, law, apart, 1);
+                OSCULO_EXPECT_ENDED(run, at_rest);
+                for (const FinalBall& ball : run.balls) EXPECT_EQ(ball.fate, BallFate::captured);
             }
         }
     }

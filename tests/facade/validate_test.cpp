@@ -131,6 +131,11 @@ TEST(Validate, NamesFieldRuleAndValue) {
          [](Scene& s) {
              s.balls[0].position = {7.1, 8};
          }},
+        {"balls[0].radius", "must be < that of arcs[0]",
+         [](Scene& s) {
+             s.balls[0].position = s.arcs[0].center;
+             s.balls[0].radius = s.arcs[0].radius;
+         }},
         {"balls[0].position", "inside rims[0]",
          [](Scene& s) {
              s.balls[0].position = {7.5, 2};

@@ -109,6 +109,11 @@ private:
         history.noise = noise_of(piece.state, duration, when);
         const S resolved = S(math::kContactGap) * math::wide_epsilon<S>() * math::abs<S>(when);
         if (!obeys<S>(scene_.motion, piece.state, S(duration - resolved))) ++result.unexplained;
+        // In a rim that holds the energy against that of the field, which is known to less than a
+        // slow ball's own.
+        if constexpr (requires { piece.state.stay; }) {
+            if (piece.state.stay) return;
+        }
         // No law speeds a ball up.
         const S gain =
             twice_energy_per_mass<S>(history.state) - twice_energy_per_mass<S>(piece.state);

@@ -119,8 +119,11 @@ template <math::Scalar S>
     };
     if (one_sided) {
         if (!(zero < first)) return {};
+        const bool comes_out = gap(first) < -S(2 * math::kStartOverlap) * radius;
+        // Where it comes to rest on the way, rounding may take it back.
+        const S back = math::narrow(Wide(first - last));
+        if (comes_out && back <= S(math::kContactGap) * math::epsilon<S>() * radius) return {};
         if (last < first) return {gap(last), to};
-        if (gap(first) < -S(2 * math::kStartOverlap) * radius) return {};
         return {gap(first), from};
     }
     if ((first < zero) != (last < zero)) {
