@@ -324,6 +324,13 @@ double depth_in(const Ball& ball, const Arc& arc) {
     return ball.radius - std::abs(std::hypot(d.x, d.y) - arc.radius);
 }
 
+/// Whether the ball is where it touches all of the arc at once, so that no direction is that of the
+/// contact.
+bool fills(const Ball& ball, const Arc& arc) {
+    const double off = std::hypot(ball.position.x - arc.center.x, ball.position.y - arc.center.y);
+    return ball.radius >= arc.radius && off <= math::kStartOverlap * arc.radius;
+}
+
 Point on_arc(const Arc& arc, double angle) {
     return {arc.center.x + arc.radius * std::cos(angle),
             arc.center.y + arc.radius * std::sin(angle)};
@@ -357,13 +364,12 @@ void validate_place(const Scene& scene, std::size_t i) {
             continue;
         }
         check(depth_in(ball, arc), "arcs", k, "");
-        const double off =
-            std::hypot(ball.position.x - arc.center.x, ball.position.y - arc.center.y);
-        require(ball.radius < arc.radius || off > math::kStartOverlap * arc.radius,
-                at("balls", i, ".radius"),
-                concatenated("must be < that of ", at("arcs", k, ""),
-                             ", all of which the ball would touch at once at its centre"),
-                ball.radius);
+        if (fills(ball, arc)) {
+            throw SceneError(at("balls", i, ".radius"),
+                             concatenated("must be < that of ", at("arcs", k, ""),
+                                          ", at whose centre it would touch all of it"),
+                             number_text(ball.radius));
+        }
         if (arc.to_angle - arc.from_angle < 2 * std::numbers::pi * (1 - 4 * 0x1p-52)) {
             check(depth_in(ball, on_arc(arc, arc.from_angle)), "arcs", k, " (its start)");
             check(depth_in(ball, on_arc(arc, arc.to_angle)), "arcs", k, " (its end)");
