@@ -210,7 +210,8 @@ TEST(Pressed, OnOneRimUntilBothHaveFallen) {
             for (const double apart : {0.0, 1e-6, 1e-3}) {
                 SCOPED_TRACE(named(e, law) + ", apart " + std::to_string(apart));
                 const auto run = on_one_rim(e, law, apart, 1);
-                OSCULO_EXPECT_ENDED(run, at_rest);
+                EXPECT_EQ(run.status, Status::at_rest);
+                EXPECT_TRUE(run.audit->clean);
                 for (const FinalBall& ball : run.balls) EXPECT_EQ(ball.fate, BallFate::captured);
             }
         }

@@ -1,9 +1,9 @@
 #pragma once
 
-#include <algorithm>
 #include <span>
 #include <vector>
 
+#include "osculo/engine/audit/resisted.hpp"
 #include "osculo/engine/audit/result.hpp"
 #include "osculo/engine/audit/rims.hpp"
 #include "osculo/engine/audit/tipping_rims.hpp"
