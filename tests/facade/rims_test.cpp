@@ -1,40 +1,14 @@
-#include <cmath>
-#include <functional>
-
-#include <gtest/gtest.h>
-
-#include "osculo/simulate.hpp"
+#include "pulling_rims.hpp"
 
 /// Rims with the law paper, as the facade offers them.
 namespace osculo {
 namespace {
 
-/// A hole of 60 mm, with a jaw on each side of its mouth, and two balls.
+using test::distance;
+using test::first_of;
+
 Scene hole(MotionLaw motion) {
-    Scene scene;
-    scene.motion = motion;
-    scene.rims = {{"hole", {0, 0}, 0.06, RimLaw::paper}, {"far", {1, 0}, 0.06, RimLaw::capture}};
-    scene.segments = {{"left", {-0.3, -0.08}, {0.02, -0.08}},
-                      {"right", {-0.3, 0.08}, {0.02, 0.08}}};
-    scene.arcs = {{"back", {0, 0}, 0.2, -1, 1}};
-    const double radius = 0.028575;
-    scene.balls = {{"a", 0.17, radius, {-0.25, 0.01}, {0.7, 0.02}},
-                   {"b", 0.17, radius, {-0.06, 0}, {0, 0}}};
-    scene.impacts.ball_ball.restitution = 0.95;
-    scene.impacts.ball_cushion.restitution = 0.8;
-    scene.limits.time = 20;
-    return scene;
-}
-
-const Event* first_of(const Run& run, EventKind kind) {
-    for (const Event& event : run.events) {
-        if (event.kind == kind) return &event;
-    }
-    return nullptr;
-}
-
-double distance(const Point& a, const Point& b) {
-    return std::hypot(a.x - b.x, a.y - b.y);
+    return test::hole_scene(std::move(motion), {"hole", {0, 0}, 0.06, RimLaw::paper}, {0.7, 0.02});
 }
 
 TEST(PaperRims, BallsComeInFallAndLeave) {
@@ -64,16 +38,10 @@ TEST(PaperRims, BallsComeInFallAndLeave) {
 TEST(PaperRims, PiecesFollowEachOther) {
     for (const MotionLaw& motion : {MotionLaw(UniformMotion{}), MotionLaw(RollingMotion{0.01})}) {
         const auto run = simulate(hole(motion));
-        std::vector<const Piece*> last(2, nullptr);
+        test::expect_continuous(run);
         int in_rims = 0;
         for (const Piece& piece : run.pieces) {
             in_rims += piece.phase == Phase::rim;
-            if (const Piece* before = last[piece.ball]) {
-                EXPECT_EQ(before->to, piece.from);
-                const BallState end = run.along(*before, {before->to - before->from}).front();
-                EXPECT_LE(distance(end.position, piece.position), 1e-15);
-            }
-            last[piece.ball] = &piece;
             const double middle = (piece.from + piece.to) / 2;
             const auto state = run.at(piece.ball, middle);
             ASSERT_TRUE(state);
@@ -98,18 +66,8 @@ TEST(PaperRims, AreAuditedClean) {
     }
 }
 
-/// The same events whatever the precision, at the same times.
 TEST(PaperRims, PrecisionsAgree) {
-    const Scene scene = hole(RollingMotion{0.01});
-    const auto run = simulate(scene);
-    for (const Precision precision : {Precision::extended, Precision::quad, Precision::digits50}) {
-        const auto wider = simulate(scene, {.precision = precision});
-        ASSERT_EQ(wider.events.size(), run.events.size()) << to_string(precision);
-        for (std::size_t i = 0; i < run.events.size(); ++i) {
-            EXPECT_EQ(wider.events[i].kind, run.events[i].kind);
-            EXPECT_NEAR(wider.events[i].time, run.events[i].time, 1e-9);
-        }
-    }
+    test::expect_agreement_of_precisions(hole(RollingMotion{0.01}));
 }
 
 TEST(PaperRims, EnginesAreAsNarrowAsWithoutThem) {
@@ -120,34 +78,7 @@ TEST(PaperRims, EnginesAreAsNarrowAsWithoutThem) {
 }
 
 TEST(PaperRims, ScenesThatMakeNoSenseAreRefused) {
-    struct Case {
-        const char* path;
-        std::function<void(Scene&)> spoil;
-    };
-    const Case cases[] = {
-        {"rims[0].law", [](Scene& s) { s.motion = ClothMotion{}; }},
-        {"gravity", [](Scene& s) { s.gravity = 0; }},
-        {"balls[0].radius", [](Scene& s) { s.rims[0].radius = s.balls[1].radius; }},
-        {"rims[1].center",
-         [](Scene& s) {
-             s.rims[1] = {"near", {0.1, 0}, 0.06, RimLaw::paper};
-         }},
-        {"balls[1].position",
-         [](Scene& s) {
-             s.balls[1].position = {-0.02, 0};
-         }},
-    };
-    for (const Case& c : cases) {
-        Scene scene = hole(UniformMotion{});
-        EXPECT_NO_THROW(validate(scene));
-        c.spoil(scene);
-        try {
-            validate(scene);
-            FAIL() << "accepted: " << c.path;
-        } catch (const SceneError& error) {
-            EXPECT_EQ(error.path(), c.path) << error.what();
-        }
-    }
+    test::expect_refusals(hole(UniformMotion{}), test::spoilings(RimLaw::paper));
 }
 
 /// A rim that balls may cross closes nothing.

@@ -1,43 +1,18 @@
-#include <cmath>
-#include <functional>
-
-#include <gtest/gtest.h>
-
-#include "osculo/simulate.hpp"
+#include "pulling_rims.hpp"
 
 /// Rims with the law tipping, as the facade offers them.
 namespace osculo {
 namespace {
 
-constexpr double kRadius = 0.028575;
+using test::distance;
+using test::first_of;
+
+constexpr double kRadius = test::kBallRadius;
 constexpr double kRim = 0.0571;
 
-/// A hole with a jaw on each side of its mouth, and two balls.
 Scene hole(MotionLaw motion) {
-    Scene scene;
-    scene.motion = motion;
-    scene.rims = {{"hole", {0, 0}, kRim, RimLaw::tipping, 0.6},
-                  {"far", {1, 0}, 0.06, RimLaw::capture}};
-    scene.segments = {{"left", {-0.3, -0.08}, {0.02, -0.08}},
-                      {"right", {-0.3, 0.08}, {0.02, 0.08}}};
-    scene.arcs = {{"back", {0, 0}, 0.2, -1, 1}};
-    scene.balls = {{"a", 0.17, kRadius, {-0.25, 0.01}, {0.5, 0.015}},
-                   {"b", 0.17, kRadius, {-kRim, 0}, {0, 0}}};
-    scene.impacts.ball_ball.restitution = 0.95;
-    scene.impacts.ball_cushion.restitution = 0.8;
-    scene.limits.time = 20;
-    return scene;
-}
-
-const Event* first_of(const Run& run, EventKind kind, Phase from = Phase::uniform) {
-    for (const Event& event : run.events) {
-        if (event.kind == kind && event.from == from) return &event;
-    }
-    return nullptr;
-}
-
-double distance(const Point& a, const Point& b) {
-    return std::hypot(a.x - b.x, a.y - b.y);
+    return test::hole_scene(std::move(motion), {"hole", {0, 0}, kRim, RimLaw::tipping, 0.6},
+                            {0.5, 0.015});
 }
 
 /// A ball alone, straight at the hole.
@@ -107,18 +82,12 @@ TEST(TippingRims, PiecesFollowEachOther) {
         EXPECT_TRUE(run.audit->clean) << run.audit->worst_gap << " " << run.audit->unexplained;
         EXPECT_LT(std::abs(run.audit->worst_gap), 1e-13);  // something touched
         EXPECT_LE(run.audit->energy_final, run.audit->energy_initial);
-        std::vector<const Piece*> last(2, nullptr);
+        test::expect_continuous(run);
         int on_edge = 0;
         int in_flight = 0;
         for (const Piece& piece : run.pieces) {
             on_edge += piece.phase == Phase::tipping;
             in_flight += piece.phase == Phase::flying;
-            if (const Piece* before = last[piece.ball]) {
-                EXPECT_EQ(before->to, piece.from);
-                const BallState end = run.along(*before, {before->to - before->from}).front();
-                EXPECT_LE(distance(end.position, piece.position), 1e-15);
-            }
-            last[piece.ball] = &piece;
             if (piece.phase != Phase::tipping && piece.phase != Phase::flying) continue;
             EXPECT_EQ(piece.rim, 0U);
             EXPECT_GE(piece.height, 0);
@@ -138,18 +107,8 @@ TEST(TippingRims, PiecesFollowEachOther) {
     }
 }
 
-/// The same events whatever the precision, at the same times.
 TEST(TippingRims, PrecisionsAgree) {
-    const Scene scene = hole(RollingMotion{0.01});
-    const auto run = simulate(scene);
-    for (const Precision precision : {Precision::extended, Precision::quad, Precision::digits50}) {
-        const auto wider = simulate(scene, {.precision = precision});
-        ASSERT_EQ(wider.events.size(), run.events.size()) << to_string(precision);
-        for (std::size_t i = 0; i < run.events.size(); ++i) {
-            EXPECT_EQ(wider.events[i].kind, run.events[i].kind);
-            EXPECT_NEAR(wider.events[i].time, run.events[i].time, 1e-9);
-        }
-    }
+    test::expect_agreement_of_precisions(hole(RollingMotion{0.01}));
 }
 
 TEST(TippingRims, HaveEnginesOfTheirOwn) {
@@ -164,44 +123,11 @@ TEST(TippingRims, HaveEnginesOfTheirOwn) {
 }
 
 TEST(TippingRims, ScenesThatMakeNoSenseAreRefused) {
-    struct Case {
-        const char* path;
-        std::function<void(Scene&)> spoil;
-    };
-    const Case cases[] = {
-        {"rims[0].law", [](Scene& s) { s.motion = ClothMotion{}; }},
-        {"rims[0].law", [](Scene& s) { s.motion = ResistedMotion{}; }},
-        {"rims[0].law", [](Scene& s) { s.impacts.ball_ball.law = BallBallLaw::frictional; }},
-        {"rims[0].law",
-         [](Scene& s) {
-             s.rims[0] = {"hole", {0, 0}, kRim, RimLaw::paper};
-             s.impacts.ball_ball.law = BallBallLaw::frictional;
-         }},
-        {"rims[1].law", [](Scene& s) { s.rims[1].law = RimLaw::paper; }},
-        {"gravity", [](Scene& s) { s.gravity = 0; }},
-        {"balls[0].radius", [](Scene& s) { s.rims[0].radius = s.balls[1].radius; }},
-        {"rims[0].restitution", [](Scene& s) { s.rims[0].restitution = 1.5; }},
-        {"rims[1].restitution", [](Scene& s) { s.rims[1].restitution = 0.5; }},
-        {"rims[1].center",
-         [](Scene& s) {
-             s.rims[1] = {"near", {0.1, 0}, 0.06, RimLaw::tipping};
-         }},
-        {"balls[1].position",
-         [](Scene& s) {
-             s.balls[1].position = {-0.02, 0};
-         }},
-    };
-    for (const Case& c : cases) {
-        Scene scene = hole(UniformMotion{});
-        EXPECT_NO_THROW(validate(scene));
-        c.spoil(scene);
-        try {
-            validate(scene);
-            ADD_FAILURE() << "accepted: " << c.path;
-        } catch (const SceneError& error) {
-            EXPECT_EQ(error.path(), c.path) << error.what();
-        }
-    }
+    auto all = test::spoilings(RimLaw::tipping);
+    all.push_back({"rims[1].law", [](Scene& s) { s.rims[1].law = RimLaw::paper; }});
+    all.push_back({"rims[0].restitution", [](Scene& s) { s.rims[0].restitution = 1.5; }});
+    all.push_back({"rims[1].restitution", [](Scene& s) { s.rims[1].restitution = 0.5; }});
+    test::expect_refusals(hole(UniformMotion{}), all);
 }
 
 /// Left out, the edge's restitution is that of cushions.
