@@ -154,16 +154,16 @@ Piece read_piece(const Value& value, const Indices& indices) {
     } else if (const auto rim = fields.find("rim")) {
         rim->fail("is for the laws rim, tipping and flying only");
     }
-    if (over_hole) {
-        piece.height = fields.require("height").number();
-        piece.climb = fields.require("climb").number();
-    }
-    if (piece.phase == Phase::tipping) piece.inertia = fields.require("inertia").number();
-    for (const char* name : {"height", "climb", "inertia"}) {
-        const auto given = fields.find(name);
-        const bool meant = name[0] == 'i' ? piece.phase == Phase::tipping : over_hole;
-        if (given && !meant) given->fail("is for balls that tip over a rim only");
-    }
+    const auto over_edge = [&](const char* name, bool belongs) {
+        if (belongs) return fields.require(name).number();
+        if (const auto given = fields.find(name)) {
+            given->fail("is for balls that tip over a rim only");
+        }
+        return 0.0;
+    };
+    piece.height = over_edge("height", over_hole);
+    piece.climb = over_edge("climb", over_hole);
+    piece.inertia = over_edge("inertia", piece.phase == Phase::tipping);
     piece.position = fields.require("position").point();
     if (const auto low = fields.find("position_low")) piece.position_low = low->point();
     piece.velocity = fields.require("velocity").point();
