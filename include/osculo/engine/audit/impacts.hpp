@@ -93,16 +93,17 @@ private:
             momentum = momentum + scene_.bodies[part.ball].mass * (part.speed / speed);
         }
         for (const Event& event : events) {
-            Event last = event;
+            Event whole = event;
             for (std::size_t k = 0; k < (event.kind == kBallBall ? 2U : 1U); ++k) {
                 const BallIndex ball = k == 0 ? event.first : event.second;
-                last.after[k] = std::find_if(parts.begin(), parts.end(), [ball](const Part& p) {
-                                    return p.ball == ball;
-                                })->after;
+                const auto part = std::find_if(parts.begin(), parts.end(),
+                                               [ball](const Part& p) { return p.ball == ball; });
+                whole.before[k] = part->before;
+                whole.after[k] = part->after;
             }
-            gain = gain - gain_of_pressing(last, event.kind == kBallBall ? 2 : 1) / speed / speed;
+            gain = gain - gain_in_cluster(event, whole) / speed / speed;
             if (event.kind == kBallBall) note_momentum(event, speed, momentum, result);
-            if (still_closes(last, speed)) ++result.unexplained;
+            if (still_closes(whole, speed)) ++result.unexplained;
         }
         const S share = gain == S(0) ? gain : S(gain / before);
         result.note(result.largest_energy_gain, math::to_double<S>(share),
@@ -110,13 +111,13 @@ private:
     }
 
     /// By more than the rounding of the cluster's speeds.
-    bool still_closes(const Event& last, const S& speed) const {
-        const bool pair = last.kind == kBallBall;
+    bool still_closes(const Event& whole, const S& speed) const {
+        const bool pair = whole.kind == kBallBall;
         const Vec normal =
-            pair ? math::difference<S>(last.before[1].position, last.before[0].position)
-                 : last.normal;
-        Vec v = last.after[0].velocity;
-        if (pair) v -= last.after[1].velocity;
+            pair ? math::difference<S>(whole.before[1].position, whole.before[0].position)
+                 : whole.normal;
+        Vec v = whole.after[0].velocity;
+        if (pair) v -= whole.after[1].velocity;
         return math::accurate_dot<S>(v, normal) >
                S(math::kClusterClosing) * math::epsilon<S>() * speed * math::norm<S>(normal);
     }
@@ -236,25 +237,58 @@ private:
     /// impact/pressing.hpp. It shows in how slowly they part.
     S gain_of_pressing(const Event& event, std::size_t balls) const {
         if constexpr (Type::Motion::kTransitions) {
-            S least(0);
-            for (std::size_t k = 0; k < balls; ++k) {
-                least = least + pressing_acceleration(event, balls, k) * scene_.contact_time / S(2);
-            }
-            Vec apart = -event.after[0].velocity;
-            S noise = least + math::norm1<S>(apart);
-            S mass = body(event, 0).mass;
-            if (balls == 2) {
-                apart += event.after[1].velocity;
-                noise = noise + math::norm1<S>(event.after[1].velocity);
-                const S other = body(event, 1).mass;
-                mass = mass * (other / (mass + other));
-            }
-            const Vec unit = event.normal / math::norm<S>(event.normal);
-            const S parting = math::dot<S>(apart, unit);
-            return parting <= least + motion_slack<S>() * noise ? S(mass * least * least) : S(0);
+            const S least = least_parting(event, balls);
+            const S mass =
+                balls == 1 ? body(event, 0).mass
+                           : S(body(event, 0).mass *
+                               (body(event, 1).mass / (body(event, 0).mass + body(event, 1).mass)));
+            return parts_slowly(event, balls, least) ? S(mass * least * least) : S(0);
         } else {
             return S(0);
         }
+    }
+    /// The same of a contact of a cluster, given as what it did itself and with what its balls were
+    /// before the cluster and are after it. Parting things that meet no more takes
+    /// J (u + u') / 2 with the impulse J, where u and u' are the speeds at which they part before
+    /// and after that: no more than J u' with all the impulse there was (the masses of other balls
+    /// are in it).
+    S gain_in_cluster(const Event& event, const Event& whole) const {
+        if constexpr (Type::Motion::kTransitions) {
+            const std::size_t balls = event.kind == kBallBall ? 2 : 1;
+            if (!parts_slowly(whole, balls, least_parting(whole, balls))) return S(0);
+            const std::size_t light =
+                balls == 2 && body(event, 1).mass < body(event, 0).mass ? 1 : 0;
+            const Vec unit = event.normal / math::norm<S>(event.normal);
+            const Vec change = event.after[light].velocity - event.before[light].velocity;
+            const S impulse = body(event, light).mass * math::abs<S>(math::dot<S>(change, unit));
+            const S parting = parting_speed(whole.after, unit, balls);
+            return parting > S(0) ? S(S(2) * impulse * parting) : S(0);
+        } else {
+            return S(0);
+        }
+    }
+
+    /// The least speed at which the law of pressed balls lets them part [m/s], at the most.
+    S least_parting(const Event& event, std::size_t balls) const {
+        S least(0);
+        for (std::size_t k = 0; k < balls; ++k) {
+            least = least + pressing_acceleration(event, balls, k) * scene_.contact_time / S(2);
+        }
+        return least;
+    }
+    static bool parts_slowly(const Event& event, std::size_t balls, const S& least) {
+        S noise = least;
+        for (std::size_t k = 0; k < balls; ++k) {
+            noise = noise + math::norm1<S>(event.after[k].velocity);
+        }
+        const Vec unit = event.normal / math::norm<S>(event.normal);
+        return parting_speed(event.after, unit, balls) <= least + motion_slack<S>() * noise;
+    }
+    static S parting_speed(const std::array<Memory, 2>& memories, const Vec& unit,
+                           std::size_t balls) {
+        Vec apart = -memories[0].velocity;
+        if (balls == 2) apart += memories[1].velocity;
+        return math::dot<S>(apart, unit);
     }
 
     /// What a ball of that impact can be pressed with [m/s^2]: at twice the sum of all speeds there
