@@ -31,6 +31,25 @@ TEST(ResistedAudit, WhatTheLawSaysIsAccepted) {
     }
 }
 
+TEST(ResistedAudit, AtAnySpeed) {
+    support::Random random(20295);
+    const auto coefficient = [&] {
+        return random.below(3) == 0 ? 0.0 : std::pow(10.0, random.uniform<double>(-20, 5));
+    };
+    for (int round = 0; round < 20'000; ++round) {
+        State state;
+        state.velocity =
+            random.direction<double>() * std::pow(10.0, random.uniform<double>(-300, 140));
+        state.law = {coefficient(), coefficient(), coefficient()};
+        motion::Resisted::begin<double>({}, state);
+        const double end = std::min(state.remaining, 60.0);
+        const double t = random.coin() ? end : end * random.unit<double>();
+        ASSERT_TRUE(obeys<double>({}, state, t))
+            << round << ": " << state.velocity.norm() << " m/s, " << state.law.constant << ' '
+            << state.law.linear << ' ' << state.law.quadratic;
+    }
+}
+
 TEST(ResistedAudit, WhatItDoesNotSayIsNot) {
     support::Random random(20292);
     for (int round = 0; round < 2'000; ++round) {

@@ -62,7 +62,7 @@ template <Scalar S>
 /// (e^x - 1) / x for x >= 0, 1 at x = 0: relative error <= (6 + 4 x) epsilon.
 template <Scalar S>
 [[nodiscard]] S growth_ratio(const S& x) {
-    if (!(x > S(0))) return S(1);
+    if (!(x > epsilon<S>())) return S(1) + x / S(2);  // x may have next to no digits
     const Decay<S> d = decay<S>(x);
     return d.gone / (d.left * x);
 }

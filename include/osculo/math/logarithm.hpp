@@ -14,7 +14,7 @@ inline constexpr int kLogarithmError = 12;
 
 template <Scalar S>
 [[nodiscard]] S log1p_ratio(const S& x) {
-    if (!(x > S(0))) return S(1);
+    if (!(x > epsilon<S>())) return S(1) - x / S(2);  // x may have next to no digits
     S y = x;
     S factor(2);
     for (; y > S(0.125); factor *= S(2)) y = y / (S(1) + square_root<S>(S(1) + y));

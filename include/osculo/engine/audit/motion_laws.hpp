@@ -75,8 +75,10 @@ template <math::Scalar S>
 [[nodiscard]] bool slows_down(const math::Vec<S>& half_acceleration, const math::Vec<S>& v,
                               const S& strength, const S& rounding) {
     const S speed = math::norm<S>(v);
-    const math::Vec<S> error = (S(2) * speed) * half_acceleration + strength * v;
-    return math::norm<S>(error) <= strength * (rounding + motion_slack<S>() * speed);
+    if (!(speed > S(0))) return true;
+    const math::Vec<S> error = S(2) * half_acceleration + strength * (v / speed);
+    // The last: digits of a double that would be below its range.
+    return math::norm<S>(error) <= strength * (rounding / speed + motion_slack<S>()) + S(0x1p-1070);
 }
 
 /// Whether a ball in that state [s] moves as the law says, for t [s] at the longest.

@@ -6,6 +6,7 @@
 
 #include "osculo/engine/audit/motion_laws.hpp"
 #include "osculo/motion/disc.hpp"
+#include "osculo/motion/relative_jerk.hpp"
 
 /// What the audit knows of balls with drag: their law as its differential equation, and the gaps
 /// between them.
@@ -90,7 +91,7 @@ void keep_smallest(const ResistedPairStretch<S>& pair, const math::Wide<S>& reac
         math::WidePoint<S>(math::Vec<S>(one.velocity - other.velocity)),
         math::WidePoint<S>(math::Vec<S>(one.half_acceleration - other.half_acceleration)),
         math::Wide<S>(time)};
-    const S jerk = pair.first.path.jerk_bound(from, time) + pair.second.path.jerk_bound(from, time);
+    const S jerk = relative_jerk_bound(pair.first.path, pair.second.path, from, time);
     const S margin = jerk * time * time * time / S(6);
     const GapAt<S> found = smallest_distance_beyond<S>(parabola, reach);
     const math::Wide<S> when = math::Wide<S>(found.t + from);
@@ -202,7 +203,7 @@ template <math::Scalar S>
 
 /// Way and speed after t by the differential equation alone: power series in steps so short that
 /// their terms shrink fast. Its rounding: some ten epsilon for each step. Ends when the speed is
-/// all but gone; t is then what is left of the time.
+/// all but gone, or falls too fast for numbers; t is then what is left of the time.
 template <math::Scalar S>
 [[nodiscard]] motion::Slowed<S> integrated(const motion::Slowing<S>& law, S& t) {
     constexpr int kMostTerms = 4 * 64;
@@ -210,24 +211,23 @@ template <math::Scalar S>
     motion::Slowed<S> now{S(0), S(1)};
     while (t > S(0)) {
         const S rate = S(8) * (law.m / now.q + law.k + law.c * now.q);
+        if (!math::is_finite<S>(rate)) break;
         S h = rate * t > S(1) ? S(S(1) / rate) : t;
         if (!(h < t)) h = t;
+        // In units of h, whose powers would leave the range of numbers.
         q[0] = now.q;
-        S way = now.q * h;
+        S way = now.q;
         S end = now.q;
-        S power = h;
         for (std::size_t n = 0; n + 1 < q.size(); ++n) {
             S square(0);
             for (std::size_t i = 0; i <= n; ++i) square += q[i] * q[n - i];
             const S sum = (n == 0 ? law.m : S(0)) + law.k * q[n] + law.c * square;
-            q[n + 1] = -sum / S(static_cast<double>(n + 1));
-            const S term = q[n + 1] * power;
-            end += term;
-            power *= h;
-            way += q[n + 1] * power / S(static_cast<double>(n + 2));
-            if (math::abs<S>(term) <= math::epsilon<S>() * S(0.01) * now.q) break;
+            q[n + 1] = -(h * sum) / S(static_cast<double>(n + 1));
+            end += q[n + 1];
+            way += q[n + 1] / S(static_cast<double>(n + 2));
+            if (math::abs<S>(q[n + 1]) <= math::epsilon<S>() * S(0.01) * now.q) break;
         }
-        now.sigma += way;
+        now.sigma += way * h;
         now.q = end > S(0) ? end : S(0);
         t = t > h ? S(t - h) : S(0);
         if (now.q <= S(0x1p-40)) break;
