@@ -152,5 +152,26 @@ TEST(ResistedAccuracy, WithoutDragItIsUniformMotion) {
     EXPECT_GT(contacts, 200);
 }
 
+/// Two balls side by side, as an inelastic impact leaves them, part by 1e-13 or close in by as
+/// much: neither is settled by how long the segments can be that their jerks allow.
+TEST(ResistedAccuracy, SideBySide) {
+    const motion::Resistance<double> law{0.01, 1, 0.01};
+    const double reach = 0.4;
+    const Path first = support::resisted_path(Vec(0, 0), Vec(0.2, 0), law);
+    for (const double gap : {1e-13, 1e-11}) {
+        const Vec place(0, reach + gap);
+        // A pass.
+        EXPECT_EQ(
+            first_contact<double>(first, support::resisted_path(place, Vec(0.2 + 5e-7, 1e-14), law),
+                                  reach, {}, 10),
+            math::never<double>());
+        // A contact, by a closing speed that falls with e^-t, but for what 0.01 does.
+        const double closing = 16 * gap;
+        const Path second = support::resisted_path(place, Vec(0.2, -closing), law);
+        const double t = first_contact<double>(first, second, reach, {}, 10);
+        EXPECT_NEAR(t, first.slowing.time_of(gap / closing, 10), 2e-15 / closing + 1e-7 * t);
+    }
+}
+
 }  // namespace
 }  // namespace osculo::detect

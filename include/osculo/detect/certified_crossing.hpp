@@ -84,6 +84,14 @@ struct BetweenPaths {
     [[nodiscard]] S jerk(const S& t, const S& h) const {
         return first.jerk_bound(t, h) + second.jerk_bound(t, h);
     }
+    /// The same, of two that go side by side much less; takes longer.
+    [[nodiscard]] S closer_jerk(const S& t, const S& h) const {
+        if constexpr (requires { relative_jerk_bound(first, second, t, h); }) {
+            return relative_jerk_bound(first, second, t, h);
+        } else {
+            return jerk(t, h);
+        }
+    }
     /// At the start.
     [[nodiscard]] S speed() const {
         return math::norm1<S>(first.at(S(0)).velocity) + math::norm1<S>(second.at(S(0)).velocity);
@@ -109,6 +117,7 @@ struct FromPoint {
                 detail::path_blur<S>(path, now.position)};
     }
     [[nodiscard]] S jerk(const S& t, const S& h) const { return path.jerk_bound(t, h); }
+    [[nodiscard]] S closer_jerk(const S& t, const S& h) const { return jerk(t, h); }
     [[nodiscard]] S speed() const { return math::norm1<S>(path.at(S(0)).velocity); }
 };
 
@@ -220,6 +229,8 @@ struct LineCrossing {
 /// What certified segments come to at most: after so many of them the answer is the time they have
 /// reached, at which a gap that rounding does not explain ends a run as `numeric`.
 inline constexpr int kMostSegments = 1 << 13;
+/// So many say that it pays to look closer.
+inline constexpr int kManySegments = 8;
 
 namespace detail {
 
@@ -252,14 +263,15 @@ template <class Crossing, class S = typename Crossing::S>
 }
 
 /// The longest of rest, rest / 2, rest / 4 ... on which the path stays within [margin] of its
-/// parabola at t.
+/// parabola at t; [closer]: as far as closer_jerk() can tell.
 template <class Motion, class S = typename Motion::Scalar>
-[[nodiscard]] S segment_length(const Motion& motion, const S& t, S rest, const S& margin) {
+[[nodiscard]] S segment_length(const Motion& motion, const S& t, S rest, const S& margin,
+                               bool closer) {
     const S most = S(6) * margin;
     for (int i = 0; i < 4 * math::ScalarTraits<S>::kDigits; ++i, rest *= S(0.5)) {
-        const S jerk = motion.jerk(t, rest);
+        const S jerk = closer ? motion.closer_jerk(t, rest) : motion.jerk(t, rest);
         const auto within = [&] { return jerk * rest * rest * rest <= most; };
-        if (!math::is_finite<S>(jerk)) continue;
+        if (!math::is_finite<S>(jerk) || (closer && !within())) continue;
         // What bounds the jerk on a segment bounds it on the first half.
         for (; rest > S(0) && !within(); ++i) rest *= S(0.5);
         break;
@@ -334,7 +346,7 @@ template <class Crossing, class S = typename Crossing::S>
         const S blur = p.blur + S(2) * math::epsilon<S>() * crossing.scale();
         const bool fine = gap <= S(8) * blur;  // no more to be gained
         const S margin = fine ? blur : S(gap / S(8));
-        const S h = detail::segment_length(motion, t, rest, margin);
+        const S h = detail::segment_length(motion, t, rest, margin, n >= kManySegments);
         const S wait = crossing.on_parabola(p, S((fine ? S(0) : margin) - level), h);
         const bool off = !math::is_finite<S>(wait);
         if (!(t + h > t)) return t;  // out of range

@@ -7,7 +7,7 @@
 #include "osculo/detect/ball_rim.hpp"
 #include "osculo/detect/ball_segment.hpp"
 #include "osculo/detect/certified_crossing.hpp"
-#include "osculo/motion/resisted.hpp"
+#include "osculo/motion/relative_jerk.hpp"
 
 /// First contacts of balls that slow down along straight lines. What does not move is met where a
 /// ball in uniform motion would meet it, only later: the routine for straight paths gives sigma,
