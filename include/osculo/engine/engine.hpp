@@ -280,8 +280,12 @@ Status Engine<Type>::play(const RunLimits<S>& limits, Pause& pause) {
         pause.at_this_instant = no_time_passes ? pause.at_this_instant + 1 : 0;
         if (pause.at_this_instant > most_at_one_instant) return Status::zeno;
         now_ = event.when;
-        if (!carry_out(event)) return Status::numeric;
-        ++event_count_;
+        if (!resolves(event.first) || (event.kind == kBallBall && !resolves(event.second))) {
+            return Status::numeric;
+        }
+        const bool sound = carry_out(event);
+        ++event_count_;  // it has been recorded
+        if (!sound) return Status::numeric;
     }
 }
 
@@ -308,8 +312,6 @@ bool Engine<Type>::visit_kind(Kind kind, F&& f) {
 /// False if the event could not be resolved in this scalar type.
 template <class Type>
 bool Engine<Type>::carry_out(const Scheduled& event) {
-    if (!resolves(event.first) || (event.kind == kBallBall && !resolves(event.second)))
-        return false;
     if constexpr (Type::Motion::kTransitions) {
         if (event.kind == kTransition) {
             change_phase(event.first);
