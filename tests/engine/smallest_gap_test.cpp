@@ -88,12 +88,14 @@ TEST(SmallestGap, OfAOneSidedSegmentCountsOnTheWayIn) {
     };
     EXPECT_EQ(gap({5, 3}, {6, 2}), 1);  // near
     EXPECT_EQ(gap({5, 2}, {5, 0.75}), -0.25);
-    EXPECT_EQ(gap({5, 2}, {5, -2}), -3);                         // through
-    EXPECT_EQ(gap({5, 1}, {6, 1}), 0);                           // along
-    EXPECT_EQ(gap({5, 1}, {6, 2}), 0);                           // away
-    EXPECT_TRUE(std::isinf(gap({5, -2}, {5, 2})));               // from behind
-    EXPECT_TRUE(std::isinf(gap({5, 0.5}, {5, 0.75})));           // on the way out
-    EXPECT_EQ(gap({5, 0.75}, {5, 0.5}), -0.5);                   // and in again
+    EXPECT_EQ(gap({5, 2}, {5, -2}), -3);                     // through
+    EXPECT_EQ(gap({5, 1}, {6, 1}), 0);                       // along
+    EXPECT_EQ(gap({5, 1}, {6, 2}), 0);                       // away
+    EXPECT_TRUE(std::isinf(gap({5, -2}, {5, 2})));           // from behind
+    EXPECT_TRUE(std::isinf(gap({5, 0.5}, {5, 0.75})));       // on the way out
+    EXPECT_TRUE(std::isinf(gap({5, 1 - 0x1p-30}, {5, 2})));  // all but out
+    EXPECT_EQ(gap({5, 0.75}, {5, 0.5}), -0.5);               // and in again
+    EXPECT_EQ(gap({5, 1 - 0x1p-30}, {5, 1 - 0x1p-29}), -0x1p-29);
     EXPECT_TRUE(std::isinf(gap({5, 0.5}, {5, 0.5 - 0x1p-53})));  // it rests there, but for rounding
     EXPECT_TRUE(std::isinf(gap({5, -2}, {5, -1})));
     EXPECT_TRUE(std::isinf(gap({-5, 2}, {-1, 0})));  // beside

@@ -7,6 +7,7 @@
 #include "osculo/engine/audit/impacts.hpp"
 #include "osculo/engine/audit/resisted.hpp"
 #include "osculo/engine/audit/result.hpp"
+#include "osculo/engine/audit/rounding.hpp"
 
 namespace osculo::engine {
 
@@ -39,16 +40,7 @@ template <class Type>
                   "osculo: an audit of motion with transitions needs its State recorded in pieces "
                   "and its law as in engine/audit/motion_laws.hpp");
     RunAudit result;
-    // Elastic contacts part, and what rounding left of a gap ends with them. Inelastic ones may
-    // stay together, and then it adds up along their way.
-    const bool elastic = !Type::Motion::kTransitions && scene.ball_ball_restitution == S(1) &&
-                         scene.ball_cushion_restitution == S(1);
-    std::vector<S> path(scene.bodies.size(), S(0));
-    for (const PieceOf<Type>& piece : record.pieces) {
-        const S length = path_length(piece);
-        S& known = path[piece.ball];
-        known = elastic ? std::max<S>(known, length) : S(known + length);
-    }
+    const std::vector<S> path = rounding_paths<Type>(scene, record);
 
     const detail::ImpactAudit<Type> impacts(scene, path);
     detail::HistoryAudit<Type> histories(scene, record.pieces);

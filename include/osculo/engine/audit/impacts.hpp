@@ -3,6 +3,7 @@
 #include <span>
 #include <vector>
 
+#include "osculo/engine/audit/contact.hpp"
 #include "osculo/engine/audit/resisted.hpp"
 #include "osculo/engine/audit/result.hpp"
 #include "osculo/engine/audit/rims.hpp"
@@ -127,37 +128,21 @@ private:
     }
 
     void check_gap(const Event& event, RunAudit& result) const {
-        const Body<Type>& one = body(event, 0);
-        S gap{0};
-        S reach = one.radius;
-        S smaller = one.radius;
+        const ContactOf<S> contact = contact_of<Type>(scene_, event);
         S path = path_[event.first];
         S speed = math::norm1<S>(event.before[0].velocity);
-        Vec from(S(0), S(0));
         if (event.kind == kBallBall) {
-            const Body<Type>& other = body(event, 1);
-            const math::WidePoint<S> apart{event.before[0].position.x - event.before[1].position.x,
-                                           event.before[0].position.y - event.before[1].position.y};
-            gap = length_beyond<S>(apart, math::wide_sum<S>(one.radius, other.radius));
-            reach = reach + other.radius;
-            smaller = std::min<S>(smaller, other.radius);
             path = path + path_[event.second];
             speed = speed + math::norm1<S>(event.before[1].velocity);
-        } else {
-            with_obstacle<Type>(scene_, event.kind, event.second, [&](const auto& obstacle) {
-                gap = contact_gap(seen_from(event.before[0].position, origin(obstacle)), one.radius,
-                                  obstacle);
-                reach = reach + contact_reach(obstacle);
-                from = origin(obstacle);
-            });
         }
-        S bound = gap_bound<S>(reach, path) +
-                  resolution<S>(event.before[0].position, speed, event.when, from);
+        const auto& place = event.before[0].position;
+        S bound = gap_bound<S>(contact.reach, path) +
+                  resolution<S>(place, speed, event.when, contact.from);
         if constexpr (Type::Simultaneous::kGathersCluster) {
-            bound = bound + together_gap<S>(
-                                math::norm1<S>(event.before[0].position.rounded()) + path, reach);
+            bound = bound + together_gap<S>(math::norm1<S>(place.rounded()) + path, contact.reach);
         }
-        result.note(result.largest_contact_error, math::to_double<S>(gap / smaller), gap <= bound);
+        result.note(result.largest_contact_error, math::to_double<S>(contact.gap / contact.smaller),
+                    contact.gap <= bound);
     }
 
     /// Approaching before; after it not any more, unless captured.

@@ -119,10 +119,11 @@ template <math::Scalar S>
     };
     if (one_sided) {
         if (!(zero < first)) return {};
-        const bool comes_out = gap(first) < -S(2 * math::kStartOverlap) * radius;
-        // Where it comes to rest on the way, rounding may take it back.
-        const S back = math::narrow(Wide(first - last));
-        if (comes_out && back <= S(math::kContactGap) * math::epsilon<S>() * radius) return {};
+        // Whatever goes in is noticed when it does. Where it comes to rest on the way out, rounding
+        // may take it back.
+        const bool deep = gap(first) < -S(2 * math::kStartOverlap) * radius;
+        const S rounding = deep ? S(S(math::kContactGap) * math::epsilon<S>() * radius) : S(0);
+        if (gap(first) < S(0) && math::narrow(Wide(first - last)) <= rounding) return {};
         if (last < first) return {gap(last), to};
         return {gap(first), from};
     }
