@@ -42,6 +42,9 @@ TEST(ResistedAudit, AtAnySpeed) {
             random.direction<double>() * std::pow(10.0, random.uniform<double>(-300, 140));
         state.law = {coefficient(), coefficient(), coefficient()};
         motion::Resisted::begin<double>({}, state);
+        if (state.law.constant > 0 && std::isfinite(state.slowing.m)) {
+            ASSERT_GT(state.remaining, 0);
+        }
         const double end = std::min(state.remaining, 60.0);
         const double t = random.coin() ? end : end * random.unit<double>();
         ASSERT_TRUE(obeys<double>({}, state, t))

@@ -27,6 +27,14 @@ TEST(Rolling, StopsAfterTheSquareOfTheSpeedOverTwiceTheDeceleration) {
     EXPECT_FALSE(math::is_finite(state.remaining));
 }
 
+TEST(Rolling, StopsFromAnySpeed) {
+    for (const double speed : {1e-300, 1e-310, 5e-324}) {
+        const Rolling::State<double> state = rolling({9.81}, {0, speed});
+        EXPECT_EQ(state.half_acceleration, Vec(0, -9.81 / 2)) << speed;
+        EXPECT_LE(state.remaining, speed) << speed;
+    }
+}
+
 TEST(Rolling, WithoutFrictionIsFreeFlight) {
     Rolling::State<double> state = rolling({0}, {1, -2});
     EXPECT_FALSE(math::is_finite(state.remaining));

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 
@@ -79,13 +80,15 @@ template <Scalar S>
     }
 }
 
-/// The angle in [0, pi / 2] whose sine and cosine are proportional to two numbers >= 0, not both 0,
-/// whose squares do not overflow. Relative error <= 10 epsilon.
+/// The angle in [0, pi / 2] whose sine and cosine are proportional to two numbers >= 0, not both 0.
+/// Relative error <= 10 epsilon.
 template <Scalar S>
 [[nodiscard]] S first_quadrant_angle(const S& sine, const S& cosine) {
     // tan(x / 2) four times over, so that the series of the arc tangent at <= 0.0985 is short.
-    const S length = square_root<S>(sine * sine + cosine * cosine);
-    S t = sine / (length + cosine);
+    const S larger = std::max<S>(sine, cosine);
+    const S y = sine / larger;
+    const S x = cosine / larger;
+    S t = y / (square_root<S>(x * x + y * y) + x);
     for (int i = 0; i < 3; ++i) t = t / (S(1) + square_root<S>(S(1) + t * t));
     const S square = t * t;
     S power = t;

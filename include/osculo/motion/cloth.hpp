@@ -2,6 +2,7 @@
 
 #include "osculo/math/error_bounds.hpp"
 #include "osculo/math/instant.hpp"
+#include "osculo/motion/half_deceleration.hpp"
 #include "osculo/motion/path.hpp"
 
 namespace osculo::motion {
@@ -148,7 +149,7 @@ private:
         if (speed > S(0)) {
             state.phase = ClothPhase::rolling;
             if (law.rolling > S(0)) {
-                state.half_acceleration = state.velocity * (-law.rolling / (S(2) * speed));
+                state.half_acceleration = half_deceleration<S>(state.velocity, speed, law.rolling);
                 state.remaining = speed / law.rolling;
             }
         } else if (state.spin.z() != S(0)) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "osculo/math/instant.hpp"
+#include "osculo/motion/half_deceleration.hpp"
 #include "osculo/motion/path.hpp"
 
 namespace osculo::motion {
@@ -34,7 +35,7 @@ struct Rolling {
         state.half_acceleration = {S(0), S(0)};
         state.remaining = math::never<S>();
         if (law.deceleration > S(0) && speed > S(0)) {
-            state.half_acceleration = state.velocity * (-law.deceleration / (S(2) * speed));
+            state.half_acceleration = half_deceleration<S>(state.velocity, speed, law.deceleration);
             state.remaining = speed / law.deceleration;
         }
     }
