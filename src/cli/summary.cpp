@@ -23,7 +23,7 @@ std::string_view words(Status status) {
         case Status::time_limit: return "time limit reached";
         case Status::event_limit: return "event limit reached";
         case Status::zeno: return "impacts accumulate without time advancing";
-        case Status::numeric: return "a quantity left the range of its numbers";
+        case Status::numeric: return "numbers of this precision cannot tell what happens next";
     }
     return "";
 }

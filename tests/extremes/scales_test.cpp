@@ -201,5 +201,25 @@ TEST(Scales, APushOf1e21MetresPerSecond) {
     }
 }
 
+// A ball of 1e-12 kg has come to a stop between two points that it fits through but for rounding;
+// one of 1e12 kg runs into it. The impulses that stop that exceed what doubles can tell of the
+// light one's by far: the run says so, where it would go through it.
+TEST(Scales, WedgedAndRunIntoByAMassRatioOf1e24) {
+    Scene scene;
+    const double x = -0.05748031496062991;
+    scene.balls = {disk("light", {-0.15748031496062992, 0.8503937007874016},
+                        {0.25000000000000006, 0.4330127018922193}, 1e-12, 0.1),
+                   disk("heavy", {-0.2574813149606299, 0.8503937007874016},
+                        {0.43301270189221935, 0.24999999999999997}, 1e12, 1e-6)};
+    scene.segments = {{"gap", {x, 0.9503937007874016}, {x, 0.7503937007874016}, Side::left}};
+    scene.impacts.ball_cushion.restitution = 0;
+    scene.limits = {10, 300};
+    const auto run = simulate(scene, {.record = Record::events});
+    EXPECT_EQ(run.status, Status::numeric);
+    EXPECT_EQ(run.events.size(), run.event_count);
+    EXPECT_GT(run.time, 0.1);
+    for (const FinalBall& b : run.balls) EXPECT_TRUE(std::isfinite(b.state.velocity.x));
+}
+
 }  // namespace
 }  // namespace osculo::support

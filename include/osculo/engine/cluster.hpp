@@ -153,7 +153,8 @@ bool Engine<Type>::cause_explained(const Contact& cause) const {
 }
 
 /// Resolves what has been gathered. Nothing if it is the law of two things that has to act, for
-/// nothing but rounding approaches; otherwise false if the gap at [cause] is more than rounding.
+/// nothing but rounding approaches; otherwise false if the gap at [cause] is more than rounding, or
+/// the scalar type cannot tell what the impulses are.
 template <class Type>
 std::optional<bool> Engine<Type>::resolve_cluster(const Contact& cause) {
     const bool settling = settles();
@@ -171,7 +172,8 @@ std::optional<bool> Engine<Type>::resolve_cluster(const Contact& cause) {
     }
     if (impacts == 0) return std::nullopt;
     if (settling) cluster_.settled += impacts;
-    const bool sound = cause_explained(cause);
+    // Where rounding leaves a pair approaching, what follows would go through things.
+    const bool sound = outcome.no_approach && cause_explained(cause);
 
     for (std::size_t m = 0; m < cluster_.members.size(); ++m) {
         auto& member = cluster_.members[m];
