@@ -87,6 +87,11 @@ inline constexpr int kFrictionMomentum = 20;
 /// likewise accelerations and durations, in units of epsilon times themselves.
 inline constexpr int kMotionNoise = 8;
 
+/// What the rounding of speeds and accelerations may come to where they are below the range of a
+/// double, which ends at 2^-1022 and has no relative precision from there down to 2^-1074 [m/s,
+/// m/s^2]: some of its last units (tests/extremes/scales_test.cpp).
+inline constexpr double kUnderflow = 0x1p-1070;
+
 /// How far what a certified path says of a place may be off, in units of epsilon times the way gone
 /// since its start, and of a velocity, times that at the start. Of the closed forms of motion with
 /// drag (motion/slowing.hpp): 1/2 for each of some ten operations on g, the rest for log(1 + x) and

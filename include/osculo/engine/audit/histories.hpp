@@ -126,7 +126,8 @@ private:
         if constexpr (Type::Motion::kTransitions) {
             return motion_slack<S>() * motion_scale<S>(state, duration) +
                    S(math::kContactGap) * math::wide_epsilon<S>() *
-                       motion_scale<S>(state, math::abs<S>(when));
+                       motion_scale<S>(state, math::abs<S>(when)) +
+                   S(math::kUnderflow);
         } else {
             return S(0);
         }

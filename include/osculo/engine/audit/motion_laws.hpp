@@ -77,8 +77,8 @@ template <math::Scalar S>
     const S speed = math::norm<S>(v);
     if (!(speed > S(0))) return true;
     const math::Vec<S> error = S(2) * half_acceleration + strength * (v / speed);
-    // The last: digits of a double that would be below its range.
-    return math::norm<S>(error) <= strength * (rounding / speed + motion_slack<S>()) + S(0x1p-1070);
+    return math::norm<S>(error) <=
+           strength * (rounding / speed + motion_slack<S>()) + S(math::kUnderflow);
 }
 
 /// Whether a ball in that state [s] moves as the law says, for t [s] at the longest.
