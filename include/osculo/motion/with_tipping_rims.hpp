@@ -6,9 +6,8 @@
 #include <vector>
 
 #include "osculo/math/error_bounds.hpp"
-#include "osculo/motion/rim_path.hpp"
+#include "osculo/motion/in_rims.hpp"
 #include "osculo/motion/rim_tipping_stay.hpp"
-#include "osculo/motion/with_rims.hpp"
 
 namespace osculo::motion {
 
@@ -32,15 +31,10 @@ namespace osculo::motion {
 ///
 /// No step of these makes energy. [Base]: a law whose paths are parabolas.
 template <class Base>
-struct WithTippingRims {
+struct WithTippingRims : InRims<Base> {
     static constexpr const char* kName = Base::kNameWithTippingRims;
-    static constexpr bool kTransitions = true;
-    static constexpr bool kSpin = Base::kSpin;
-    static constexpr bool kRims = true;
-
-    /// Of State::rim, instead of the number of a rim.
-    static constexpr std::uint32_t kOutside = kOutsideOfRims;
-    static constexpr std::uint32_t kUnknown = kOutside - 1;  ///< begin() looks for it
+    using InRims<Base>::kOutside;
+    using InRims<Base>::kUnknown;
 
     template <math::Scalar S>
     struct Parameters : Base::template Parameters<S> {
@@ -62,6 +56,15 @@ struct WithTippingRims {
         S climb{0};           ///< how fast that changes [m/s]
         S since{0};           ///< in the stretch [s]
         std::shared_ptr<const RimTippingStay<S>> stay{};
+
+        void follow() {
+            const Hovering<S> now = stay->in_space(since);
+            this->position = now.position;
+            this->velocity = now.velocity;
+            height = now.height;
+            climb = now.climb;
+            this->half_acceleration = stay->at(since).half_acceleration;
+        }
 
         /// How long it goes on accelerating as it does [s]: on the edge too if it is about to hit
         /// that, which is all it does in no time.
@@ -89,12 +92,6 @@ struct WithTippingRims {
         }
     }
 
-    /// The ball has come to a rim.
-    template <math::Scalar S>
-    static void enter(State<S>& state, std::uint32_t rim) {
-        state.rim = rim;
-    }
-
     /// What happens after `remaining`.
     template <math::Scalar S>
     static void transition(const Parameters<S>& law, State<S>& state) {
@@ -106,8 +103,7 @@ struct WithTippingRims {
         state.lost = !state.stay->sound() || end == TippingEnd::balanced;
         state.fallen = !state.lost && end == TippingEnd::capture;
         if (state.lost || state.fallen) {
-            state.half_acceleration = {S(0), S(0)};
-            state.remaining = math::never<S>();
+            InRims<Base>::template end<S>(state);
             return;
         }
         switch (end) {
@@ -121,41 +117,6 @@ struct WithTippingRims {
             case TippingEnd::lift_off: follow(law, state, TippingStart::lifts_off); return;
             default: follow(law, state, TippingStart::touches); return;
         }
-    }
-
-    template <math::Scalar S>
-    [[nodiscard]] static RimPath<S, RimTippingStay<S>> path(const State<S>& state) {
-        return {Base::template path<S>(state), state.stay.get(), state.since};
-    }
-
-    /// Moves the state on by t [s], 0 <= t <= remaining.
-    template <math::Scalar S>
-    static void advance(State<S>& state, const S& t) {
-        if (!state.stay) {
-            Base::template advance<S>(state, t);
-            return;
-        }
-        state.since += t;
-        const Hovering<S> now = state.stay->in_space(state.since);
-        state.position = now.position;
-        state.velocity = now.velocity;
-        state.height = now.height;
-        state.climb = now.climb;
-        state.half_acceleration = state.stay->at(state.since).half_acceleration;
-        state.remaining -= t;
-    }
-
-    /// At least the length of the way that the state goes in t [s]; places in a rim are uncertain
-    /// as if it had gone so far.
-    template <math::Scalar S>
-    [[nodiscard]] static S travel(const State<S>& state, const S& t) {
-        if (!state.stay) return Base::template travel<S>(state, t);
-        return t * state.stay->most_speed() + state.stay->rim().radius;
-    }
-
-    template <math::Scalar S>
-    [[nodiscard]] static bool at_rest(const State<S>& state) {
-        return !state.stay && Base::template at_rest<S>(state);
     }
 
     /// Where a ball in a rim is seen from the edge: its motion along the normal in space, and what

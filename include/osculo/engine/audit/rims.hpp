@@ -1,6 +1,6 @@
 #pragma once
 
-#include "osculo/engine/audit/motion_laws.hpp"
+#include "osculo/engine/audit/stays.hpp"
 #include "osculo/motion/with_rims.hpp"
 
 /// What the audit knows of balls in rims that pull (motion/with_rims.hpp): the field and what it
@@ -25,55 +25,6 @@ struct InRim {
     }
 };
 
-template <math::Scalar S>
-[[nodiscard]] StatePieceRecord<S, motion::Rolling::State<S>> outside_rims(
-    const StatePieceRecord<S, RollingRims<S>>& piece) {
-    return {piece.ball, piece.from, piece.to, piece.state};
-}
-
-template <math::Scalar S>
-[[nodiscard]] S path_length(const StatePieceRecord<S, RollingRims<S>>& piece) {
-    if (!piece.state.stay) return path_length(outside_rims<S>(piece));
-    return math::duration<S>(piece.from, piece.to) * piece.state.stay->most_speed() +
-           piece.state.stay->rim().radius;
-}
-
-/// The parabola that touches a stay at `start`; of others, the piece.
-template <math::Scalar S>
-[[nodiscard]] RelativeParabola<S> stretch(const StatePieceRecord<S, RollingRims<S>>& piece,
-                                          const math::Instant<S>& start,
-                                          const math::Instant<S>& end,
-                                          const math::Vec<S>& origin = math::Vec<S>(S(0), S(0))) {
-    if (!piece.state.stay) return stretch(outside_rims<S>(piece), start, end, origin);
-    const auto now =
-        piece.state.stay->at(S(piece.state.since + math::duration<S>(piece.from, start)));
-    return {seen_from(now.position, origin), math::WidePoint<S>(now.velocity),
-            math::WidePoint<S>(now.half_acceleration), end - start};
-}
-/// How far the piece may be from that parabola [m].
-template <math::Scalar S>
-[[nodiscard]] S deviation(const StatePieceRecord<S, RollingRims<S>>& piece,
-                          const math::Instant<S>& start, const math::Instant<S>& end) {
-    if (!piece.state.stay) return S(0);
-    const S t = piece.state.since + math::duration<S>(piece.from, start);
-    const S h = math::duration<S>(start, end);
-    return h > S(0) ? S(piece.state.stay->jerk_bound(t, h) * h * h * h / S(6)) : S(0);
-}
-
-template <math::Scalar S>
-[[nodiscard]] RollingRims<S> end_of(const StatePieceRecord<S, RollingRims<S>>& piece) {
-    RollingRims<S> end = piece.state;
-    const S t = math::duration<S>(piece.from, piece.to);
-    if (!end.stay) {
-        static_cast<motion::Rolling::State<S>&>(end) = end_of(outside_rims<S>(piece));
-    } else {
-        end.since = end.since + t;
-        const auto now = end.stay->at(end.since);
-        end.position = now.position;
-        end.velocity = now.velocity;
-    }
-    return end;
-}
 template <math::Scalar S>
 [[nodiscard]] S motion_change(const RollingRims<S>& a, const RollingRims<S>& b) {
     return math::norm_max<S>(a.velocity - b.velocity);
