@@ -36,7 +36,6 @@ void add_chaos(Catalogue& all) {
     all.push_back(cloth);
     Case snooker = named("snooker break on cloth, to rest", presets::make("snooker-break", {}));
     snooker.statuses = {Status::at_rest};
-    snooker.sequential_only = true;  // loses more than moved starts do: README.md
     all.push_back(snooker);
 }
 
