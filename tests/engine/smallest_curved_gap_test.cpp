@@ -169,6 +169,10 @@ TEST(SmallestCurvedGap, OfASegmentAtTheTurningPoint) {
     const Path over = parabola({5, -2}, {0.5, 4}, {0, -1}, 3.5);
     EXPECT_DOUBLE_EQ(smallest_gap(over, 1.0, front).gap, -2 + 4 * 3.5 - 3.5 * 3.5 - 1);
     EXPECT_EQ(smallest_gap(over, 1.0, segment).gap, -1);
+    // Out from behind but for a part of it, and back.
+    const Path peep = parabola({5, -2}, {0.5, std::sqrt(10.0)}, {0, -1}, 3);  // up to y = 0.5
+    EXPECT_TRUE(std::isinf(smallest_gap(peep, 1.0, front).gap));
+    EXPECT_EQ(smallest_gap(peep, 1.0, segment).gap, -1);
     // Beside it, over an end and out again: only the time over the segment counts.
     const Path visit = parabola({-3, 3}, {4, -1}, {-1, 0}, 4);  // x = 1 - (t - 2)^2, y = 3 - t
     EXPECT_DOUBLE_EQ(smallest_gap(visit, 1.0, segment).gap, -1);

@@ -114,11 +114,19 @@ private:
         if constexpr (requires { piece.state.stay; }) {
             if (piece.state.stay) return;
         }
-        // No law speeds a ball up.
-        const S gain =
-            twice_energy_per_mass<S>(history.state) - twice_energy_per_mass<S>(piece.state);
-        const S most = history.noise * motion_scale<S>(piece.state, duration);
-        if (!(gain <= most)) ++result.unexplained;
+        // No law speeds a ball up. Squares of speeds could leave the range of numbers.
+        const S scale = motion_scale<S>(piece.state, duration);
+        if (!(scale > S(0))) return;
+        const S gain = twice_energy_per_mass<S>(in_units_of(scale, history.state)) -
+                       twice_energy_per_mass<S>(in_units_of(scale, piece.state));
+        if (!(gain <= history.noise / scale)) ++result.unexplained;
+    }
+
+    template <class State>
+    static State in_units_of(const S& speed, State state) {
+        state.velocity = state.velocity / speed;
+        if constexpr (requires { state.spin; }) state.spin = state.spin / speed;
+        return state;
     }
 
     /// How much of velocity and spin [m/s] rounding may take in a duration that ends at an instant.

@@ -160,14 +160,18 @@ private:
             noise = noise + math::norm1<S>(event.before[k].velocity) +
                     math::norm1<S>(event.after[k].velocity);
         }
+        S unresolved{0};
         if constexpr (Type::Motion::kTransitions) {
-            // What is left of a speed has the rounding of what it has been.
+            // What is left of a speed has the rounding of what it has been, and of when it is.
+            const S most = largest_acceleration<S>(scene_.motion);
             S path = path_[event.first];
             if (balls == 2) path = path + path_[event.second];
-            noise =
-                noise + math::square_root<S>(S(2) * largest_acceleration<S>(scene_.motion) * path);
+            noise = noise + math::square_root<S>(S(2) * most * path);
+            unresolved = S(math::kContactGap) * math::wide_epsilon<S>() * most *
+                         math::abs<S>(math::narrow(event.when));
         }
-        noise = noise * S(math::kVelocityNoise) * math::epsilon<S>() * math::norm1<S>(normal);
+        noise = (noise * S(math::kVelocityNoise) * math::epsilon<S>() + unresolved) *
+                math::norm1<S>(normal);
         if (closing(event.before) < -noise) ++result.unexplained;
         if (has_effect<Type>(event.kind, Effect::capture) ||
             has_effect<Type>(event.kind, Effect::entry)) {

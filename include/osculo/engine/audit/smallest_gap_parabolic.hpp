@@ -38,6 +38,12 @@ template <math::Scalar S>
         return Wide(inner<S>(path.at(t), math::WidePoint<S>(direction)));
     };
     GapAt<S> smallest;
+    if (segment.one_sided && S(0) < turn && turn < S(1)) {
+        // From behind it may turn before it is out, and is let back.
+        const Wide first = along(Wide(S(0)), segment.normal);
+        const Wide top = along(Wide(path.time * Wide(turn)), segment.normal);
+        if (first < Wide(S(0)) && first < top && top < Wide(radius)) return smallest;
+    }
     for (const Wide* from = borders.begin(); from + 1 != borders.end(); ++from) {
         const Wide& to = *(from + 1);
         const S foot =
