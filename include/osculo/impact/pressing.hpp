@@ -15,9 +15,9 @@
 /// duration. So an impact of things that accelerate towards each other at a leaves them with a
 /// separation speed of at least a tau / 2: they meet again after tau at the earliest (after the
 /// contact time of Luding & McNamara 1998; NUMERICS 5). Nothing overlaps; the hops are at most
-/// a tau^2 / 8 high; a pair alone has at most 1 / tau of them per second (one in the middle of a row
-/// up to four times as many); and an impact can gain at most m a^2 tau^2 / 8 of energy (m the
-/// reduced mass), less than what the force does in one hop.
+/// a tau^2 / 8 high; a pair alone has at most 1 / tau of them per second, a ball in a row up to
+/// four times as many; and an impact can gain at most m a^2 tau^2 / 8 of energy (m the reduced
+/// mass), less than what the force does in one hop.
 ///
 /// A force that ends sooner, for the ball has stopped slipping by then, presses no longer than it
 /// lasts, and tau is that time: a ball that just reaches another one does not push it away. So that
