@@ -120,9 +120,10 @@ template <math::Scalar S>
     if (one_sided) {
         if (!(zero < first)) return {};
         // Whatever goes in is noticed when it does. Where it comes to rest on the way out, rounding
-        // may take it back.
+        // may take it back, and so may an approach that is mere rounding.
         const bool deep = gap(first) < -S(2 * math::kStartOverlap) * radius;
-        const S rounding = deep ? S(S(math::kContactGap) * math::epsilon<S>() * radius) : S(0);
+        const S slack = S(math::kContactGap + math::kTouch) * math::epsilon<S>();
+        const S rounding = deep ? S(slack * radius) : S(0);
         if (gap(first) < S(0) && math::narrow(Wide(first - last)) <= rounding) return {};
         if (last < first) return {gap(last), to};
         return {gap(first), from};
