@@ -56,7 +56,7 @@ Scene under(const Scene& scene, std::size_t law) {
 
 constexpr double kMove = 1e-13;
 
-/// The scene with every velocity moved by up to kMove of its length, this way and that.
+/// The scene with every velocity, or what the cue does, moved by up to kMove, this way and that.
 Scene moved(const Scene& scene, std::uint64_t seed) {
     Scene copy = scene;
     std::uint64_t state = seed;
@@ -69,7 +69,11 @@ Scene moved(const Scene& scene, std::uint64_t seed) {
         b.velocity.x += speed * sign();
         b.velocity.y += speed * sign();
     }
-    if (copy.cue) copy.cue->speed *= 1 + kMove;
+    if (copy.cue) {
+        copy.cue->speed *= 1 + sign();
+        copy.cue->azimuth += sign();
+        copy.cue->offset[0] += sign();
+    }
     return copy;
 }
 

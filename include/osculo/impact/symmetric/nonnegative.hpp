@@ -77,6 +77,8 @@ public:
 
     [[nodiscard]] std::size_t size() const { return items_.size(); }
     [[nodiscard]] const S& x(std::size_t k) const { return items_[k].x; }
+    /// Product of the column with y.
+    [[nodiscard]] const S& start(std::size_t k) const { return items_[k].start; }
     /// Product of the column with y + A x.
     [[nodiscard]] const S& product(std::size_t k) const { return items_[k].product; }
     [[nodiscard]] const Column<S>& column(std::size_t k) const { return items_[k].column; }

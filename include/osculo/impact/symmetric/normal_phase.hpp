@@ -106,7 +106,7 @@ public:
             }
             if (pass == kMostProjections) return false;
             projection_.solve(system_, [&](std::size_t k) { return system_.noise(k); });
-            push_projected();
+            push_projected(S(1));
         }
     }
     /// Lets contacts part at [least](k) at least [m/s], by impulses that take as little as possible
@@ -190,38 +190,36 @@ private:
             }
         }
     }
-    /// The generalised reflection: beyond the inelastic impact by as much as that is from here,
-    /// y + f d with f = 2 - 2 (y + d).d / d^2, where d is what the impact changes. As y + d is
-    /// perpendicular to d, f is 2, but where impulses cancel: for a ball between two points that
-    /// are opposite but for an angle, y + d errs by epsilon over that angle, and the energy would.
+    /// The generalised reflection, twice the inelastic impact: d is perpendicular to y + d / 2, so
+    /// that energy is kept. But where impulses cancel (of a ball between two points that are
+    /// opposite but for an angle), their rounding makes d err by epsilon over that angle: then it
+    /// is made as long as keeps the energy, f d with f = 1 - 2 (y + d / 2).d / d^2.
     void reflect_jointly(const S& noise) {
         save_velocities(turning_);
-        shares_.swap(impulses_);
-        impulses_.assign(shares_.size(), S(0));
+        shares_ = impulses_;
         projection_.solve(system_, [&](std::size_t k) {
             if (!approaching_.is_joint(k)) return S(-1);
             return S(noise / system_.contacts()[k].root);
         });
-        push_projected();
+        push_projected(S(2));
         auto& balls = system_.balls();
         const S far = system_.size([&](std::size_t i) { return balls[i].velocity - turning_[i]; });
-        S factor(2);
-        if (far > S(0)) {
-            S along(0);
-            for (std::size_t i = 0; i < balls.size(); ++i) {
-                const S root = balls[i].root / far;
-                along += math::dot<S>(root * (balls[i].velocity - turning_[i]),
-                                      root * balls[i].velocity);
-            }
-            const S rounding = S(math::kClusterGain) * math::epsilon<S>() * (system_.size() / far);
-            if (math::abs<S>(along) > rounding) factor -= S(2) * along;
+        if (!(far > S(0))) return;
+        S along(0);
+        for (std::size_t i = 0; i < balls.size(); ++i) {
+            const S root = balls[i].root / far;
+            const Vec middle = (turning_[i] + balls[i].velocity) / S(2);
+            along += math::dot<S>(root * (balls[i].velocity - turning_[i]), root * middle);
         }
+        const S rounding = S(math::kClusterGain) * math::epsilon<S>() * (system_.size() / far);
+        if (!(math::abs<S>(along) > rounding)) return;
+        const S factor = S(1) - S(2) * along;
         for (std::size_t i = 0; i < balls.size(); ++i) {
             Vec& v = balls[i].velocity;
             v = turning_[i] + factor * (v - turning_[i]);
         }
         for (std::size_t k = 0; k < impulses_.size(); ++k) {
-            impulses_[k] = shares_[k] + factor * impulses_[k];
+            impulses_[k] = shares_[k] + factor * (impulses_[k] - shares_[k]);
         }
     }
     /// One by one, for the order does not matter, until none of them approaches or it is time to
@@ -255,12 +253,12 @@ private:
         }
     }
 
-    void push_projected() {
-        for (std::size_t k = 0; k < impulses_.size(); ++k) push(k, projection_.x(k));
+    void push_projected(const S& factor) {
+        for (std::size_t k = 0; k < impulses_.size(); ++k) push(k, factor * projection_.x(k));
         system_.apply();
         for (int pass = 0; pass < kRefinements; ++pass) {
             // What is next to nothing may be refined to less: contacts do not pull.
-            projection_.refine(system_, [&](std::size_t k, const S& x) {
+            projection_.refine(system_, factor, [&](std::size_t k, const S& x) {
                 push(k, impulses_[k] + x < S(0) ? S(-impulses_[k]) : x);
             });
             system_.apply();

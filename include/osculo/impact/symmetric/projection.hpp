@@ -42,15 +42,16 @@ public:
 
     [[nodiscard]] const S& x(std::size_t k) const { return impulses_[k]; }
 
-    /// After the impulses have been applied: what rounding has left of them, calls push(k, more).
-    /// Impulses that all but cancel, on a light ball between heavy ones, err by more than its
-    /// velocity; what the contacts still close in or part with does not.
+    /// After [factor] times the impulses have been applied: what rounding has left of them, calls
+    /// push(k, more). Impulses that all but cancel, on a light ball between heavy ones, err by more
+    /// than its velocity; the difference to what the contacts' velocities should be does not.
     template <class Push>
-    void refine(const System<S>& system, const Push& push) {
+    void refine(const System<S>& system, const S& factor, const Push& push) {
         bearing_.solve_normal(
             [&](std::size_t i) {
                 const std::size_t k = included_[i];
-                return S(-system.contacts()[k].root * system.separation(k));
+                return S((S(1) - factor) * bearing_.start(i) -
+                         system.contacts()[k].root * system.separation(k));
             },
             [&](std::size_t i, const S& more) { push(included_[i], more); });
     }
