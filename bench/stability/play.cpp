@@ -56,7 +56,21 @@ Scene under(const Scene& scene, std::size_t law) {
 
 constexpr double kMove = 1e-13;
 
-/// The scene with every velocity, or what the cue does, moved by up to kMove, this way and that.
+/// Whether any two balls are together from the start.
+bool some_touch(const std::vector<Ball>& balls) {
+    for (std::size_t i = 0; i < balls.size(); ++i) {
+        for (std::size_t j = 0; j < i; ++j) {
+            const double reach = balls[i].radius + balls[j].radius;
+            const double apart = std::hypot(balls[i].position.x - balls[j].position.x,
+                                            balls[i].position.y - balls[j].position.y);
+            if (apart < reach * (1 + 1e-6)) return true;
+        }
+    }
+    return false;
+}
+
+/// The scene with every velocity, or what the cue does and where the balls are that it sends into
+/// each other, moved by up to kMove, this way and that.
 Scene moved(const Scene& scene, std::uint64_t seed) {
     Scene copy = scene;
     std::uint64_t state = seed;
@@ -73,6 +87,12 @@ Scene moved(const Scene& scene, std::uint64_t seed) {
         copy.cue->speed *= 1 + sign();
         copy.cue->azimuth += sign();
         copy.cue->offset[0] += sign();
+        const bool loose = !some_touch(copy.balls);
+        for (Ball& b : copy.balls) {
+            if (!loose || b.id == copy.cue->ball) continue;
+            b.position.x += b.radius * sign();
+            b.position.y += b.radius * sign();
+        }
     }
     return copy;
 }
