@@ -87,9 +87,9 @@ Scene moved(const Scene& scene, std::uint64_t seed) {
         copy.cue->speed *= 1 + sign();
         copy.cue->azimuth += sign();
         copy.cue->offset[0] += sign();
-        const bool loose = !some_touch(copy.balls);
+        if (some_touch(copy.balls)) return copy;
         for (Ball& b : copy.balls) {
-            if (!loose || b.id == copy.cue->ball) continue;
+            if (b.id == copy.cue->ball) continue;
             b.position.x += b.radius * sign();
             b.position.y += b.radius * sign();
         }
