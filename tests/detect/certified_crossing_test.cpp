@@ -224,6 +224,41 @@ TEST(CertifiedCrossing, FindsTheFirstContactsWithSegments) {
     EXPECT_LT(both, 2000);
 }
 
+// Half out from behind a one-sided wall: it is met where the way back begins, or later from
+// outside.
+TEST(CertifiedCrossing, LetsBallsOutFromBehindAWall) {
+    support::Random random(20268);
+    int out = 0, turned = 0, met = 0;
+    for (int round = 0; round < 4000; ++round) {
+        const double r = random.uniform<double>(0.02, 0.5);
+        Path path = random_path(random, 0.5);
+        path.position = math::WidePoint<double>(
+            Vec(path.position.rounded().x(), r * random.uniform<double>(0.01, 0.99)));
+        if (path.velocity.y() < 0) path.velocity.y() = -path.velocity.y();
+        const geometry::Segment<double> segment(Vec(-1000, 0), Vec(1000, 0), true);
+        auto f = support::coordinate<Exact>(path, Vec(0, 0), 1);
+        f[0] -= r;
+        if (f[1] == 0 && f[2] == 0 && f[3] == 0) continue;  // along the wall
+        const auto all = support::meetings<Exact, 4>(f, Exact(path.end));
+        const double t = first_contact<double>(path, r, segment, {}, math::never<double>());
+        ASSERT_EQ(math::is_finite<double>(t), !all.empty()) << round << " " << t;
+        if (all.empty()) {
+            ++out;
+            continue;
+        }
+        const Exact expected = all.front().time;
+        if (abs(Exact(t - expected)) > 1e-9) {  // one is as good as the other, but for rounding
+            const auto between =
+                support::value<Exact, 4>(f, Exact(t)) - support::value<Exact, 4>(f, expected);
+            ASSERT_LE(abs(between), 1e-12) << round << " " << t;
+        }
+        ++(support::value<Exact, 4>(f, all.front().time) < -1e-9 ? turned : met);
+    }
+    EXPECT_GT(out, 500);
+    EXPECT_GT(turned, 100);
+    EXPECT_GT(met, 100);
+}
+
 TEST(CertifiedCrossing, FindsTheFirstContactsWithArcs) {
     support::Random random(20265);
     int contacts = 0;

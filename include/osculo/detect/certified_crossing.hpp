@@ -192,7 +192,7 @@ struct LineCrossing {
         return outwards ? GapAt<S>{S(-gap), S(-slope), S(-gap)} : GapAt<S>{gap, slope, gap};
     }
     [[nodiscard]] S bend(const LocalParabola<S>& p, const S& h, const S& jerk) const {
-        return p.acceleration(h, jerk);
+        return S(2) * math::abs<S>(math::dot<S>(p.a, normal)) + jerk * h;
     }
     [[nodiscard]] bool bends_down(const LocalParabola<S>& p) const {
         const S pull = math::dot<S>(p.a, normal);
@@ -279,6 +279,17 @@ template <class Motion, class S = typename Motion::Scalar>
     return rest;
 }
 
+/// The longest of rest, rest / 2, rest / 4 ... in which a gap that opens with that slope is certain
+/// to go on opening.
+template <class Crossing, class S = typename Crossing::S>
+[[nodiscard]] S parting_length(const Crossing& crossing, const LocalParabola<S>& p, const S& slope,
+                               const S& t, S rest) {
+    for (int i = 0; i < 4 * math::ScalarTraits<S>::kDigits; ++i, rest *= S(0.5)) {
+        if (rest * crossing.bend(p, rest, crossing.motion.jerk(t, rest)) < slope) break;
+    }
+    return rest;
+}
+
 /// Whether things touch and approach only as rounding has left it.
 template <class Crossing, class S = typename Crossing::S>
 [[nodiscard]] bool only_touches(const Crossing& crossing, const math::ContactHistory<S>& history) {
@@ -344,6 +355,14 @@ template <class Crossing, class S = typename Crossing::S>
             }
         }
         const S blur = p.blur + S(2) * math::epsilon<S>() * crossing.scale();
+        if (gap < S(-8) * blur && f.slope > S(0)) {  // on its way out from behind a wall
+            const S h = detail::parting_length(crossing, p, f.slope, t, rest);
+            if (h == rest) return math::never<S>();
+            if (t + h > t) {
+                t += h;
+                continue;
+            }
+        }
         const bool fine = gap <= S(8) * blur;  // no more to be gained
         const S margin = fine ? blur : S(gap / S(8));
         const S h = detail::segment_length(motion, t, rest, margin, n >= kManySegments);
@@ -372,7 +391,8 @@ template <class Crossing, class Accept, class S = typename Crossing::S>
         const S deep = S(2 * math::kTouch) * math::epsilon<S>() * crossing.scale();
         past = crossing.at(start.position, start.velocity).gap < -deep && !accept(t);
     }
-    for (;; past = touching = true) {
+    for (int n = 0; n < kMostSegments; ++n, past = touching = true) {
+        const S before = t;
         if (past) {
             t = first_certified(opposite, t, last, horizon, touching);
             if (!math::is_finite<S>(t)) return t;
@@ -380,7 +400,9 @@ template <class Crossing, class Accept, class S = typename Crossing::S>
         }
         t = first_certified(crossing, t, last, horizon, touching, noise);
         if (!math::is_finite<S>(t) || accept(t)) return t;
+        if (n > 0 && !(t > before)) break;  // numbers cannot tell one from the next
     }
+    return t;
 }
 
 }  // namespace detail

@@ -121,7 +121,8 @@ template <math::Scalar S>
         const S error = math::norm<S>(math::Vec<S>(went.rounded() - way)) +
                         math::abs<S>(S(later.height - now.height - rise));
         const S bound = S(2) * stay.jerk_bound(when, h) * h * h * h / S(6);
-        if (!(error <= bound + noise * rim.radius)) return false;
+        const S size = rim.radius + math::abs<S>(now.height);
+        if (!(error <= bound + noise * size)) return false;
     }
     return true;
 }
