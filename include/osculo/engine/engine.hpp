@@ -337,6 +337,9 @@ bool Engine<Type>::carry_out(const Scheduled& event) {
 template <class Type>
 bool Engine<Type>::resolves(BallIndex i) const {
     const BodyType& body = scene_.bodies[i];
+    if constexpr (requires { Type::Motion::template resolves<S>(body.state); }) {
+        if (!Type::Motion::template resolves<S>(body.state)) return false;
+    }
     return math::norm1<S>(body.state.velocity) * math::resolution<S>(now_) <=
            S(math::kUnresolved) * body.radius;
 }

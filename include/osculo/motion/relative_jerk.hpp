@@ -33,7 +33,7 @@ template <math::Scalar S>
                     S(path.slowing.m * start), path.slowing.k, S(path.slowing.c / start)};
     };
     const S sum = one.jerk_bound(t, h) + other.jerk_bound(t, h);
-    if (one.stands() || other.stands()) return sum;
+    if (one.stands() || other.stands() || !math::is_finite<S>(sum)) return sum;
     const Ball first = ball(one);
     const Ball second = ball(other);
     const S rounding = S(math::kPathNoise) * math::epsilon<S>();

@@ -34,26 +34,41 @@ struct ResistedPath {
         return {math::displaced<S>(position, velocity, now.sigma), now.q * velocity,
                 (slowing.rate(now.q) / S(-2)) * velocity, end > t ? S(end - t) : S(0)};
     }
-    /// It falls with the speed: that at t counts.
+    /// It falls with the speed: that at t counts. Infinite where numbers cannot tell it.
     [[nodiscard]] S jerk_bound(const S& t, const S& /*h*/) const {
         const S& q = slowed(t).q;
-        return (slowing.k + S(2) * slowing.c * q) * (slowing.rate(q) * math::norm1<S>(velocity));
+        const S jerk = jerk_at(q);
+        return too_slow(q, jerk) ? math::never<S>() : jerk;
     }
+    /// False for a ball so slow that quadratic drag, where that matters, is less than numbers can
+    /// tell: below some 1e-96 m/s in double.
+    [[nodiscard]] bool resolved() const { return !too_slow(S(1), jerk_at(S(1))); }
 
     /// Moves the start of the path on by t [s] <= end.
     void shift(const S& t) {
         const Slowed<S> now = slowing.after(t);
+        // What is left of the speed, if numbers can tell how soon that is gone.
+        const S q = math::is_finite<S>(slowing.m / now.q) ? now.q : S(0);
         position = math::displaced<S>(position, velocity, now.sigma);
-        velocity *= now.q;
-        slowing = slowing.from(now.q);
+        velocity *= q;
+        slowing = slowing.from(q);
         end = end > t ? S(end - t) : S(0);
-        longest = longest > now.sigma ? S((longest - now.sigma) / now.q) : S(0);
-        if (!(now.q > S(0))) longest = S(0);
+        longest = q > S(0) && longest > now.sigma ? S((longest - now.sigma) / q) : S(0);
         last_time = S(0);
         last_slowed = {S(0), S(1)};
     }
 
     [[nodiscard]] bool stands() const { return velocity.x() == S(0) && velocity.y() == S(0); }
+
+private:
+    [[nodiscard]] S jerk_at(const S& q) const {
+        return (slowing.k + S(2) * slowing.c * q) * (slowing.rate(q) * math::norm1<S>(velocity));
+    }
+    [[nodiscard]] bool too_slow(const S& q, const S& jerk) const {
+        const S of_square = slowing.c * q;
+        const bool matters = of_square >= math::epsilon<S>() * (slowing.k + slowing.m / q);
+        return matters && of_square > S(0) && !(S(0x1p-60) * jerk > S(0));
+    }
 };
 
 /// A box that the centre does not leave for `until` [s] >= 0. It goes no farther than with the
@@ -146,6 +161,12 @@ struct Resisted {
     template <math::Scalar S>
     [[nodiscard]] static S travel(const State<S>& state, const S& t) {
         return math::norm1<S>(state.velocity) * std::min<S>(t, state.longest);
+    }
+
+    /// Whether numbers can tell what the ball does.
+    template <math::Scalar S>
+    [[nodiscard]] static bool resolves(const State<S>& state) {
+        return path(state).resolved();
     }
 
     template <math::Scalar S>

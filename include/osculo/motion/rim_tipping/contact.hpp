@@ -210,14 +210,13 @@ private:
         bool outwards = rate < S(0) || (rate == S(0) && math::narrow(pull) < S(0));
         moment_ = math::narrow(start_.moment);
         highest_ = q;
+        Wide now{S(0)};
+        typename TippingSeries<S>::Start place = first_;
+        stretches_.push_back({S(0), TippingSeries<S>(place, start_.moment)});
         if (rate == S(0) && math::narrow(pull) == S(0)) {
             end_ = ContactEnd::balanced;
             return;
         }
-
-        Wide now{S(0)};
-        typename TippingSeries<S>::Start place = first_;
-        stretches_.push_back({S(0), TippingSeries<S>(place, start_.moment)});
         S since(0);  // in the last stretch, from where the way ahead is looked at
         const auto next = [&] {
             const S length = stretches_.back().series.length();
