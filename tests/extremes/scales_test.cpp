@@ -221,23 +221,5 @@ TEST(Scales, WedgedAndRunIntoByAMassRatioOf1e24) {
     for (const FinalBall& b : run.balls) EXPECT_TRUE(std::isfinite(b.state.velocity.x));
 }
 
-// Speeds of which no square and no inverse is a number and, for balls that roll, speeds that have
-// no digits left, down to the smallest number there is. (Others: tests/fuzz/README.md.)
-TEST(Scales, RestsFromTheSmallestSpeeds) {
-    const MotionLaw laws[] = {RollingMotion{0.01}, ClothMotion{}, ResistedMotion{0.1, 0.2, 0.3, {}},
-                              ResistedMotion{9.81, 0, 1e-3, {}}};
-    for (const MotionLaw& law : laws) {
-        for (const double speed : {5e-324, 1e-323, 5e-323, 1e-320, 1e-310, 1e-305}) {
-            if (speed < 1e-306 && !std::holds_alternative<RollingMotion>(law)) continue;
-            Scene scene;
-            scene.motion = law;
-            scene.balls = {disk("slow", {0, 0}, {speed, 0}),
-                           disk("slanted", {0, 5}, {0.7 * speed, -speed})};
-            scene.limits = {10, 300};
-            OSCULO_EXPECT_ENDED(played(scene), at_rest);
-        }
-    }
-}
-
 }  // namespace
 }  // namespace osculo::support

@@ -42,7 +42,7 @@ template <class Type>
     RunAudit result;
     const std::vector<S> path = rounding_paths<Type>(scene, record);
 
-    const detail::ImpactAudit<Type> impacts(scene, path);
+    const detail::ImpactAudit<Type> impacts(scene, path, record.pieces);
     detail::HistoryAudit<Type> histories(scene, record.pieces);
     if (!record.events.empty()) {
         result.largest_energy_gain = -std::numeric_limits<double>::infinity();

@@ -87,10 +87,13 @@ inline constexpr int kFrictionMomentum = 20;
 /// likewise accelerations and durations, in units of epsilon times themselves.
 inline constexpr int kMotionNoise = 8;
 
-/// What the rounding of speeds and accelerations may come to where they are below the range of a
-/// double, which ends at 2^-1022 and has no relative precision from there down to 2^-1074 [m/s,
-/// m/s^2]: some of its last units (tests/extremes/scales_test.cpp).
+/// What rounding may come to below the range of a double, which ends at 2^-1022 and has no relative
+/// precision from there down to 2^-1074: some of its last units, of places, speeds and
+/// accelerations [m, m/s, m/s^2]. tests/extremes/smallest_test.cpp.
 inline constexpr double kUnderflow = 0x1p-1070;
+
+/// Shorter durations may count as none [s]: the inverse of one is beyond the range of a double.
+inline constexpr double kShortest = 0x1p-1022;
 
 /// How far what a certified path says of a place may be off, in units of epsilon times the way gone
 /// since its start, and of a velocity, times that at the start. Of the closed forms of motion with

@@ -107,8 +107,9 @@ private:
         const S duration = math::duration<S>(piece.from, piece.to);
         const S when = math::narrow(piece.to);
         history.noise = noise_of(piece.state, duration, when);
-        const S resolved = S(math::kContactGap) * math::wide_epsilon<S>() * math::abs<S>(when);
-        if (!obeys<S>(scene_.motion, piece.state, S(duration - resolved))) ++result.unexplained;
+        const S unresolved = S(math::kContactGap) * math::wide_epsilon<S>() * math::abs<S>(when) +
+                             S(math::kShortest);
+        if (!obeys<S>(scene_.motion, piece.state, S(duration - unresolved))) ++result.unexplained;
         // In a rim that holds the energy against that of the field, which is known to less than a
         // slow ball's own.
         if constexpr (requires { piece.state.stay; }) {
@@ -130,12 +131,13 @@ private:
     }
 
     /// How much of velocity and spin [m/s] rounding may take in a duration that ends at an instant.
-    static S noise_of(const Memory& state, const S& duration, const S& when) {
+    S noise_of(const Memory& state, const S& duration, const S& when) const {
         if constexpr (Type::Motion::kTransitions) {
             return motion_slack<S>() * motion_scale<S>(state, duration) +
                    S(math::kContactGap) * math::wide_epsilon<S>() *
                        motion_scale<S>(state, math::abs<S>(when)) +
-                   S(math::kUnderflow);
+                   S(math::kShortest) * largest_acceleration<S>(scene_.motion) +
+                   underflow<S>(state);
         } else {
             return S(0);
         }

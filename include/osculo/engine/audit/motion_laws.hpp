@@ -145,14 +145,15 @@ template <math::Scalar S>
     const S within = S(1) + slack;
     const math::Vec3<S> turning = state.radius * state.spin;
 
-    const S decay = turning.z() == S(0) ? S(0) : S(law.spinning / state.inertia);
+    const S decay = state.spin.z() == S(0) ? S(0) : S(law.spinning / state.inertia);
     if (!(math::abs<S>(state.radius * state.spin_decay - decay) <= slack * decay)) return false;
 
     // The velocity of the ball's surface where it touches the cloth: v + w x (0, 0, -R).
     const Vec slip(state.velocity.x() - turning.y(), state.velocity.y() + turning.x());
     const S slip_speed = math::norm<S>(slip);
     const S rounding =
-        slack * (math::norm1<S>(state.velocity) + math::norm1<S>(Vec(turning.x(), turning.y())));
+        slack * (math::norm1<S>(state.velocity) + math::norm1<S>(Vec(turning.x(), turning.y()))) +
+        underflow<S>(state);
     if (state.phase == ClothPhase::sliding) {
         // Friction against the slip, and its torque (0, 0, -R) x F: w' = (5/2) mu g / R z x u^.
         const Vec torque(-state.inertia * state.radius * state.spin_rate.y() / S(2),
@@ -173,7 +174,7 @@ template <math::Scalar S>
     const bool at_rest = state.velocity == none && state.half_acceleration == none &&
                          turning.x() == S(0) && turning.y() == S(0);
     const bool spins = state.phase == ClothPhase::spinning;
-    return at_rest && spins == (turning.z() != S(0)) &&
+    return at_rest && spins == (state.spin.z() != S(0)) &&
            t * decay <= math::abs<S>(turning.z()) * within;
 }
 template <math::Scalar S>

@@ -93,8 +93,17 @@ template <math::Scalar S>
                            const math::Instant<S>& when,
                            const math::Vec<S>& from = math::Vec<S>(S(0), S(0))) {
     return S(math::kContactGap) * math::wide_epsilon<S>() *
-           (math::norm1<S>(position.rounded()) + math::norm1<S>(from) +
-            speed * math::abs<S>(math::narrow(when)));
+               (math::norm1<S>(position.rounded()) + math::norm1<S>(from) +
+                speed * math::abs<S>(math::narrow(when))) +
+           S(math::kUnderflow);
+}
+
+/// What rounding may take of velocity and radius * spin [m/s] where numbers end.
+template <math::Scalar S, class State>
+[[nodiscard]] S underflow(const State& state) {
+    S largest(1);
+    if constexpr (requires { state.radius; }) largest = std::max<S>(largest, state.radius);
+    return S(math::kUnderflow) * largest;
 }
 
 /// Calls f with the obstacle of that kind and index.

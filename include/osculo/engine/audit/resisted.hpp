@@ -84,6 +84,22 @@ namespace detail {
 template <math::Scalar S>
 void keep_smallest(const ResistedPairStretch<S>& pair, const math::Wide<S>& reach, const S& from,
                    const S& time, GapAt<S>& smallest) {
+    const S way = from * (math::norm1<S>(pair.first.path.velocity) +
+                          math::norm1<S>(pair.second.path.velocity));
+    const S rounding = math::epsilon<S>() * (math::narrow(reach) + way);
+    const S jerk = relative_jerk_bound(pair.first.path, pair.second.path, from, time);
+    const S half = time / S(2);
+    if (!math::is_finite<S>(jerk)) {
+        // Too large now, not later on; or what numbers never tell, nor does the engine know it.
+        const S end = from + time;
+        const S last =
+            pair.first.path.jerk_bound(end, S(0)) + pair.second.path.jerk_bound(end, S(0));
+        if (!math::is_finite<S>(last) || !(from + half > from)) return;
+        keep_smallest<S>(pair, reach, from, half, smallest);
+        keep_smallest<S>(pair, reach, S(from + half), half, smallest);
+        return;
+    }
+    const S margin = jerk * time * time * time / S(6);
     const motion::ParabolicPath<S> one = pair.first.path.quadratic(from);
     const motion::ParabolicPath<S> other = pair.second.path.quadratic(from);
     const RelativeParabola<S> parabola{
@@ -91,15 +107,10 @@ void keep_smallest(const ResistedPairStretch<S>& pair, const math::Wide<S>& reac
         math::WidePoint<S>(math::Vec<S>(one.velocity - other.velocity)),
         math::WidePoint<S>(math::Vec<S>(one.half_acceleration - other.half_acceleration)),
         math::Wide<S>(time)};
-    const S jerk = relative_jerk_bound(pair.first.path, pair.second.path, from, time);
-    const S margin = jerk * time * time * time / S(6);
     const GapAt<S> found = smallest_distance_beyond<S>(parabola, reach);
     const math::Wide<S> when = math::Wide<S>(found.t + from);
     if (found.gap - margin >= smallest.gap) return;
-    const S way = from * (math::norm1<S>(pair.first.path.velocity) +
-                          math::norm1<S>(pair.second.path.velocity));
-    const S half = time / S(2);
-    if (margin <= math::epsilon<S>() * (math::narrow(reach) + way) || !(from + half > from)) {
+    if (margin <= rounding || !(from + half > from)) {
         smallest.keep_smaller(found.gap, when);
         return;
     }

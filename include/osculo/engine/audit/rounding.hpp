@@ -14,9 +14,8 @@ namespace osculo::engine {
 ///   the longest piece counts. Inelastic ones may stay together, and then it adds up.
 /// - The resolution of places at the speed and instant of a piece, which a slower piece keeps.
 /// - What touches and closes in at less than the rounding of its speed meets again when it is
-/// nearer
-///   by math::kTouch epsilon of its reach, however near it is: each contact that has come about so
-///   counts its reach.
+///   nearer by math::kTouch epsilon of its reach, however near it is: each contact that has come
+///   about so counts its reach.
 template <class Type>
 [[nodiscard]] std::vector<typename Type::Scalar> rounding_paths(
     const SceneData<Type>& scene, const typename Type::Recorder& record) {
