@@ -28,8 +28,12 @@ std::string_view words(Status status) {
     return "";
 }
 
-double energy(double mass, Point velocity) {
-    return mass / 2 * (velocity.x * velocity.x + velocity.y * velocity.y);
+/// Of its motion and spin [J].
+double energy(const Ball& ball, Point velocity, const Spin& spin) {
+    double turning = 0;  // squared speed of its surface
+    for (const double w : spin) turning += ball.radius * w * (ball.radius * w);
+    return ball.mass / 2 *
+           (velocity.x * velocity.x + velocity.y * velocity.y + ball.inertia * turning);
 }
 
 class Report {
@@ -50,9 +54,10 @@ void report_energy(Report& report, const Run& run) {
     double captured = 0;
     for (std::size_t i = 0; i < run.balls.size(); ++i) {
         const Ball& ball = run.scene.balls[i];
-        initial += energy(ball.mass, ball.velocity);
+        initial += energy(ball, ball.velocity, ball.spin);
         const bool is_captured = run.balls[i].fate == BallFate::captured;
-        (is_captured ? captured : moving) += energy(ball.mass, run.balls[i].state.velocity);
+        const BallState& end = run.balls[i].state;
+        (is_captured ? captured : moving) += energy(ball, end.velocity, end.spin);
     }
     std::string text =
         fmt::format("{:.9g} J at the start, {:.9g} J at the end", initial, moving + captured);

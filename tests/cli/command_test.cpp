@@ -51,6 +51,21 @@ TEST(Run, PrintsASummary) {
     EXPECT_EQ(osculo({"run", name, "--quiet"}).out, "");
 }
 
+// A disc that turns stores energy, and friction between discs turns some of it into motion.
+TEST(Run, CountsTheEnergyOfSpin) {
+    const TemporaryDirectory directory;
+    const std::string scene = directory / "spin.json";
+    write(scene, R"({"schema": "osculo/scene-1",
+        "balls": [{"id": "a", "mass": 2, "radius": 0.5, "inertia": 0.5, "position": [0, 0],
+                   "velocity": [1, 0], "spin": [0, 0, 4]},
+                  {"id": "b", "mass": 1, "position": [3, 0], "radius": 0.5}],
+        "impacts": {"ball_ball": {"law": "frictional", "restitution": 1, "friction": [1, 0, 0]}},
+        "limits": {"time": 5}})");
+    // 2 / 2 (1^2 + 0.5 (0.5 4)^2) J; slipping, friction loses some.
+    const Result result = osculo({"run", scene});
+    EXPECT_TRUE(contains(result.out, "\n  energy    3 J at the start, 2.")) << result.out;
+}
+
 TEST(Run, SaysWhatPlayersAskFor) {
     const Result result = osculo({"run", "preset:break"});
     EXPECT_TRUE(result.out.starts_with("preset:break: everything at rest at ")) << result.out;
