@@ -64,6 +64,18 @@ void validate_state(const Ball& ball, std::size_t i) {
     }
 }
 
+/// Impacts of several balls add up energies, several times each.
+void validate_energy(const Ball& ball, std::size_t i) {
+    constexpr double kMost = 1e151;  // the root of it
+    const double root = std::sqrt(ball.mass);
+    const auto check = [&](double speed, const char* member) {
+        require(root * speed <= kMost, at("balls", i, member),
+                "must leave mass * speed^2, and the same of radius * spin, at most 1e302 J", speed);
+    };
+    check(std::hypot(ball.velocity.x, ball.velocity.y), ".velocity");
+    for (const double w : ball.spin) check(ball.radius * std::abs(w), ".spin");
+}
+
 class Ids {
 public:
     /// Throws if the id is empty or taken.
@@ -90,14 +102,19 @@ void validate_balls(const Scene& scene, Ids& ids) {
         require(ball.radius > 0, at("balls", i, ".radius"), "must be > 0", ball.radius);
         require_size(ball.radius, at("balls", i, ".radius"));
         validate_state(ball, i);
-        require(ball.inertia > 0 && ball.inertia <= 1, at("balls", i, ".inertia"),
-                "must be above 0 and at most 1", ball.inertia);
+        validate_energy(ball, i);
+        require(ball.inertia >= 1e-12 && ball.inertia <= 1, at("balls", i, ".inertia"),
+                "must be from 1e-12 to 1", ball.inertia);
     }
 }
 
 /// A rim that pulls, and what it has to do with the rest of the scene.
 void validate_pulling_rim(const Scene& scene, std::size_t k) {
     const Rim& rim = scene.rims[k];
+    constexpr double kMost = 1e30;  // what pulls must not be lost beside it
+    for (std::size_t i = 0; i < scene.balls.size(); ++i) {
+        require_point(scene.balls[i].velocity, kMost, at("balls", i, ".velocity"));
+    }
     const auto name = [&](std::size_t i) {
         return concatenated(at("rims", i, ""), " (\"", scene.rims[i].id, "\")");
     };
@@ -186,15 +203,20 @@ void require_friction(double value, const char* path) {
 void validate_drag(const Scene& scene, const ResistedMotion& law) {
     // Squares of decelerations, and their products with squares of speeds, must stay in range.
     constexpr double kMost = 1e30;
+    constexpr double kLeast = 1e-80;
     for (std::size_t i = 0; i < scene.balls.size(); ++i) {
         require_point(scene.balls[i].velocity, kMost, at("balls", i, ".velocity"));
     }
     const auto check = [](double value, const std::string& path) {
         require(value >= 0 && value <= kMost, path, "must be from 0 to 1e30", value);
     };
-    check(law.constant, "motion.constant");
-    check(law.linear, "motion.linear");
-    check(law.quadratic, "motion.quadratic");
+    const auto check_drag = [&](double value, const std::string& path) {
+        check(value, path);
+        require(value == 0 || value >= kLeast, path, "must be 0 or at least 1e-80", value);
+    };
+    check_drag(law.constant, "motion.constant");
+    check_drag(law.linear, "motion.linear");
+    check_drag(law.quadratic, "motion.quadratic");
     if (!law.medium) return;
     const Medium& medium = *law.medium;
     check(medium.density, "motion.medium.density");

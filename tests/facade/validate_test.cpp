@@ -73,6 +73,15 @@ TEST(Validate, ForcesMustBeMoreThanNothing) {
     scene.balls[0].velocity = {0, 0};
     scene.gravity = 1e-300;
     EXPECT_EQ(message(), "");  // nothing moves
+    scene.balls[0].velocity = {1e-120, 0};
+    EXPECT_TRUE(
+        message().starts_with("motion: must slow balls down by nothing, or by 1e-80 to 1e80"))
+        << message();
+    scene.gravity = 1e100;
+    EXPECT_TRUE(message().ends_with(", but it is 1e+98 m/s^2")) << message();
+    scene.gravity = 1e-60;
+    EXPECT_EQ(message(), "");
+    scene.balls[0].velocity = {0, 0};
     scene.motion = ClothMotion{};
     scene.balls[0].spin = {0, 0, 5};
     EXPECT_NE(message(), "");
@@ -106,6 +115,17 @@ TEST(Validate, NamesFieldRuleAndValue) {
         {"balls[0].position", "at most", [](Scene& s) { s.balls[0].position.x = kNan; }},
         {"balls[0].velocity", "at most", [](Scene& s) { s.balls[0].velocity.y = kInfinity; }},
         {"balls[0].spin", "at most", [](Scene& s) { s.balls[0].spin[2] = kNan; }},
+        {"balls[0].velocity", "at most 1e302 J",
+         [](Scene& s) {
+             s.balls[0].mass = 1e12;
+             s.balls[0].velocity = {1e148, 0};
+         }},
+        {"balls[0].spin", "at most 1e302 J",
+         [](Scene& s) {
+             s.balls[0].mass = 1e12;
+             s.balls[0].radius = 10;
+             s.balls[0].spin = {1e145, 0, 0};
+         }},
         {"segments[1].to", "differ", [](Scene& s) { s.segments[1].to = s.segments[1].from; }},
         {"segments[1].from", "at most", [](Scene& s) { s.segments[1].from.x = -kInfinity; }},
         {"arcs[0].radius", "> 0", [](Scene& s) { s.arcs[0].radius = -2; }},

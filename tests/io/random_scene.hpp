@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <random>
 #include <string>
@@ -36,6 +37,9 @@ inline Scene random_scene(std::uint64_t seed) {
         ball.position = next_place();
         ball.velocity = {maybe_zero(any(149)), maybe_zero(any(149))};
         ball.spin = {maybe_zero(any(20)), maybe_zero(0), maybe_zero(0)};
+        // Its energy is a number, too.
+        const double speed = 1 + std::hypot(ball.velocity.x, ball.velocity.y);
+        ball.mass = std::min(ball.mass, 1e300 / speed / speed);
         scene.balls.push_back(ball);
     }
     for (int i = count(); i > 0; --i) {
