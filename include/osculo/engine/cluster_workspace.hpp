@@ -54,6 +54,7 @@ struct ClusterWorkspace<Type, true> {
     impact::SymmetricSolver<S> solver;
     std::uint32_t number = 0;   ///< of clusters recorded so far
     std::uint64_t settled = 0;  ///< impacts so far that were too slow to bounce
+    bool endless = false;       ///< the last one had more reflections than can be followed
 };
 
 }  // namespace osculo::engine

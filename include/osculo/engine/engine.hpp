@@ -115,6 +115,7 @@ public:
         if constexpr (Type::Simultaneous::kGathersCluster) {
             cluster_.number = 0;
             cluster_.settled = 0;
+            cluster_.endless = false;
         }
         now_ = Instant{S(0)};
         event_count_ = prediction_count_ = 0;
@@ -285,7 +286,11 @@ Status Engine<Type>::play(const RunLimits<S>& limits, Pause& pause) {
         }
         const bool sound = carry_out(event);
         ++event_count_;  // it has been recorded
-        if (!sound) return Status::numeric;
+        if (sound) continue;
+        if constexpr (Type::Simultaneous::kGathersCluster) {
+            if (cluster_.endless) return Status::zeno;
+        }
+        return Status::numeric;
     }
 }
 

@@ -20,8 +20,10 @@ namespace osculo::impact {
 /// sides it turns on whether the weaker blow is zero or all but zero. Both keep energy and momentum
 /// and only push. This is repeated while contacts approach. It ends unless the contacts cannot all
 /// separate (E. Vouga et al., "All's Well That Ends Well", ACM Trans. Graph. 36, 2017), for two
-/// contacts after pi / beta + 1 steps. If they cannot (between parallel walls), the impact is
-/// inelastic; a cap ends it in any case, with an inelastic impact of the rest.
+/// contacts after pi / beta + 1 steps; many steps of two contacts in turn are made at once (Wedge).
+/// If they cannot (between parallel walls), the impact is inelastic. A cap ends it in any case;
+/// then what still approaches has been stopped, and the outcome says that it is not that of the
+/// law.
 ///
 /// e < 1: impulse by impulse, J = (1 - e) J(inelastic) + e J(reflections); what then approaches is
 /// projected; if different e make that gain energy, it is drawn towards the inelastic impact until

@@ -109,6 +109,7 @@ TYPED_TEST(RandomClusters, LawsOfMechanics) {
         kCases<S>, reflections / kCases<S>, most, capped, jammed, left, gain, loss, momentum,
         approach);
     EXPECT_EQ(left, 0);
+    EXPECT_LE(capped, kCases<S> / 40);  // rows of balls from 1e-6 to 1e6
 }
 
 }  // namespace

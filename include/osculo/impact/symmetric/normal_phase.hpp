@@ -7,20 +7,22 @@
 #include "osculo/impact/symmetric/approaching.hpp"
 #include "osculo/impact/symmetric/projection.hpp"
 #include "osculo/impact/symmetric/system.hpp"
+#include "osculo/impact/symmetric/wedge.hpp"
 #include "osculo/impact/symmetric/well_posed.hpp"
 
 namespace osculo::impact {
 
 /// How the resolution of a cluster ended.
 enum class ClusterStatus {
-    separated,  ///< no pair approaches
-    jammed,     ///< the contacts that bear cannot all separate: inelastic, whatever e
-    capped,     ///< too many reflections: what still approached has been stopped
+    separated,   ///< no pair approaches
+    jammed,      ///< the contacts that bear cannot all separate: inelastic, whatever e
+    capped,      ///< too many reflections: what still approached has been stopped
+    unresolved,  ///< the same, for rounding hides that it approaches
 };
 
 struct ClusterOutcome {
     ClusterStatus status = ClusterStatus::separated;
-    int reflections = 0;           ///< generalised ones, for e > 0
+    int reflections = 0;           ///< for e > 0; those of a wedge made at once count as one
     bool well_posed = true;        ///< false: another law or order gives another outcome
     bool no_approach = true;       ///< false: rounding leaves some pair approaching
     bool friction_settled = true;  ///< false: friction was ended before its last digits
@@ -69,8 +71,7 @@ public:
         }
         save_velocities(start_);
         if (!some_stick) {
-            reflect(outcome);
-            outcome.no_approach = stop();
+            outcome.no_approach = reflect_all(outcome);
             return;
         }
         outcome.no_approach = stop();
@@ -80,8 +81,7 @@ public:
         save_velocities(inelastic_);
         stopping_.swap(impulses_);
         begin_again();
-        reflect(outcome);
-        stop();
+        reflect_all(outcome);
         restore_velocities(start_);
         for (std::size_t k = 0; k < impulses_.size(); ++k) {
             const S& e = system_.contacts()[k].restitution;
@@ -169,11 +169,29 @@ private:
         impulses_.assign(system_.contacts().size(), S(0));
     }
 
+    /// Reflections, and a stop of what they leave. False if something still approaches.
+    bool reflect_all(ClusterOutcome& outcome) {
+        reflect(outcome);
+        const bool separated = stop();
+        // Stopping what is next to nothing takes next to nothing, but not where that stands for
+        // all there is: a ball 1e27 times as heavy as one that cannot yield.
+        const S kept = system_.size() / size_;
+        if (outcome.status == ClusterStatus::separated &&
+            !(kept * kept > S(1) - S(math::kClusterEnergy) * math::epsilon<S>())) {
+            outcome.status = ClusterStatus::unresolved;
+        }
+        return separated;
+    }
+
     /// Reflections, generalised where the outcome is not unique.
     void reflect(ClusterOutcome& outcome) {
         const S noise = least();
         bool patient = true;
         while (approaching_.find(system_, noise, slight())) {
+            if (outcome.reflections >= most_reflections_) {
+                outcome.status = ClusterStatus::capped;
+                return;
+            }
             if (patient && outcome.reflections >= kPatience) {
                 patient = false;
                 if (projection_.jammed(system_, [&](std::size_t k) { return reach_.has(k); })) {
@@ -183,17 +201,12 @@ private:
                 }
             }
             ++outcome.reflections;
+            if (!patient && reflect_wedge(noise)) continue;
             if (approaching_.has_joint()) reflect_jointly(noise);
-            if (!reflect_in_turn(outcome, noise) || outcome.reflections >= most_reflections_) {
-                outcome.status = ClusterStatus::capped;
-                return;
-            }
+            reflect_in_turn(outcome, noise);
         }
     }
-    /// The generalised reflection, twice the inelastic impact: d is perpendicular to y + d / 2, so
-    /// that energy is kept. But where impulses cancel (of a ball between two points that are
-    /// opposite but for an angle), their rounding makes d err by epsilon over that angle: then it
-    /// is made as long as keeps the energy, f d with f = 1 - 2 (y + d / 2).d / d^2.
+    /// The generalised reflection, twice the inelastic impact.
     void reflect_jointly(const S& noise) {
         save_velocities(turning_);
         shares_ = impulses_;
@@ -202,6 +215,55 @@ private:
             return S(noise / system_.contacts()[k].root);
         });
         push_projected(S(2));
+        keep_energy();
+    }
+    /// One contact approaches, and no other one will but a second one, then the first one again,
+    /// and so on: as many of these reflections as there can be. False if it is not so.
+    bool reflect_wedge(const S& noise) {
+        if (approaching_.has_joint() || approaching_.unique().size() != 1) return false;
+        const auto& contacts = system_.contacts();
+        const std::size_t one = approaching_.unique().front();
+        const auto closing = [&](std::size_t k) {
+            return S(contacts[k].root * system_.separation(k));
+        };
+        const auto with = [&](std::size_t k, std::size_t l) {
+            return product<S>(contacts[k].column, contacts[l].column);
+        };
+        const S start = closing(one);
+        const auto next = [&](std::size_t k) {
+            return k != one && closing(k) - S(2) * start * with(k, one) < -noise;
+        };
+        std::size_t other = 0;
+        while (other < contacts.size() && !next(other)) ++other;
+        if (other == contacts.size()) return false;
+        const S versine = symmetric::versine<S>(contacts[one].column, contacts[other].column);
+        if (!(versine > S(0) && versine < S(1))) return false;
+        // The impulses only grow, so a contact that is still apart has been all the time.
+        const auto stays = [&](std::size_t k, const S& first, const S& second) {
+            const auto push = [](const S& a, const S& x) { return a < S(0) ? S(a * x) : S(0); };
+            return closing(k) + push(with(k, one), first) + push(with(k, other), second) >= -noise;
+        };
+        const auto impulses = wedge_.reflections(
+            start, closing(other), versine, [&](const S& first, const S& second) {
+                for (std::size_t k = 0; k < contacts.size(); ++k) {
+                    if (k != one && k != other && !stays(k, first, second)) return false;
+                }
+                return true;
+            });
+        if (!(impulses.first > S(0))) return false;
+        save_velocities(turning_);
+        shares_ = impulses_;
+        push(one, impulses.first);
+        push(other, impulses.second);
+        system_.apply();
+        keep_energy();
+        return true;
+    }
+    /// After a reflection by d: it is perpendicular to y + d / 2, so that energy is kept. But where
+    /// impulses cancel (of a ball between two points that are opposite but for an angle), their
+    /// rounding makes d err by epsilon over that angle: then it is made as long as keeps the
+    /// energy, f d with f = 1 - 2 (y + d / 2).d / d^2.
+    void keep_energy() {
         auto& balls = system_.balls();
         const S far = system_.size([&](std::size_t i) { return balls[i].velocity - turning_[i]; });
         if (!(far > S(0))) return;
@@ -211,7 +273,8 @@ private:
             const Vec middle = (turning_[i] + balls[i].velocity) / S(2);
             along += math::dot<S>(root * (balls[i].velocity - turning_[i]), root * middle);
         }
-        const S rounding = S(math::kClusterGain) * math::epsilon<S>() * (system_.size() / far);
+        const S share = system_.size() / far;
+        const S rounding = S(math::kClusterGain) * math::epsilon<S>() * share * share;
         if (!(math::abs<S>(along) > rounding)) return;
         const S factor = S(1) - S(2) * along;
         for (std::size_t i = 0; i < balls.size(); ++i) {
@@ -223,8 +286,8 @@ private:
         }
     }
     /// One by one, for the order does not matter, until none of them approaches or it is time to
-    /// ask whether that can be. False at the cap.
-    bool reflect_in_turn(ClusterOutcome& outcome, const S& noise) {
+    /// ask whether that can be, or at the cap.
+    void reflect_in_turn(ClusterOutcome& outcome, const S& noise) {
         for (bool first = true;; first = false) {
             bool changed = false;
             for (const std::size_t k : approaching_.unique()) {
@@ -232,9 +295,11 @@ private:
                 share_out(k, system_.reflect(k));
                 changed = true;
             }
-            if (!changed) return true;
-            if (!first && ++outcome.reflections >= most_reflections_) return false;
-            if (!first && outcome.reflections % kPatience == 0) return true;
+            if (!changed) return;
+            if (first) continue;
+            ++outcome.reflections;
+            if (outcome.reflections >= most_reflections_) return;
+            if (outcome.reflections % kPatience == 0) return;
         }
     }
 
@@ -286,6 +351,7 @@ private:
     int most_reflections_;
     System<S> system_;
     Projection<S> projection_;
+    Wedge<S> wedge_;
     Reach<S> reach_;
     Approaching<S> approaching_;
     S size_{0};

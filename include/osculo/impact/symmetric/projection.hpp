@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <vector>
 
@@ -77,10 +78,32 @@ public:
         for (std::size_t k = 0; k < sharing_.size(); ++k) sum += sharing_.x(k);
         // |A x|^2 + (sum - 1)^2 = 1 - sum at the solution: 0 if jammed, else about the square of
         // the angle of the wedge.
-        return S(1) - sum < S(math::kClusterJam) * math::epsilon<S>();
+        return S(1) - sum < S(math::kClusterJam) * math::epsilon<S>() && balanced(system);
     }
 
 private:
+    /// Whether the impulses that jammed() has found cancel on each ball by itself, but for angles
+    /// and shares that are next to nothing. In the metric of the masses what a heavy ball at the
+    /// end of a row gets is next to nothing, too, but nothing holds it.
+    [[nodiscard]] bool balanced(const System<S>& system) {
+        loads_.assign(system.balls().size(), Load{});
+        const auto bear = [this](std::size_t ball, const math::Vec<S>& at, const S& x) {
+            loads_[ball].sum += x * at;
+            loads_[ball].directions += math::norm<S>(at);
+        };
+        for (std::size_t i = 0; i < sharing_.size(); ++i) {
+            const Column<S>& column = sharing_.column(i);
+            const S& x = sharing_.x(i);
+            if (!(x > S(0))) continue;
+            bear(column.one, column.at_one, x);
+            if (column.other != kFixed) bear(column.other, column.at_other, x);
+        }
+        const S slight = math::square_root<S>(S(math::kClusterJam) * math::epsilon<S>());
+        return std::ranges::all_of(loads_, [&](const Load& load) {
+            return math::norm<S>(load.sum) <= slight * load.directions;
+        });
+    }
+
     static constexpr int kPasses = 6;
 
     /// Between rounding and any angle that matters: 2^-26 for double.
@@ -142,12 +165,18 @@ private:
         return column;
     }
 
+    struct Load {
+        math::Vec<S> sum{S(0), S(0)};
+        S directions{0};
+    };
+
     Nonnegative<S> bearing_;
     Nonnegative<S> sharing_;
     std::vector<std::size_t> included_;
     std::vector<std::size_t> shared_;
     std::vector<S> impulses_;
     std::vector<S> left_;
+    std::vector<Load> loads_;
 };
 
 }  // namespace osculo::impact::symmetric
