@@ -25,13 +25,12 @@ using Spin = std::array<double, 3>;
 /// A circular body.
 struct Ball {
     std::string id;
-    double mass = 1;    ///< [kg], > 0
-    double radius = 1;  ///< [m], > 0
-    Point position;     ///< of the centre [m]
-    Point velocity;     ///< [m/s]
-    Spin spin{};        ///< [rad/s]; carried along unchanged by laws that do not use it
-    double inertia =
-        0.4;  ///< k = I / (m r^2), in (0, 1]: 2/5 for a solid sphere; used with friction
+    double mass = 1;       ///< [kg], > 0
+    double radius = 1;     ///< [m], > 0
+    Point position;        ///< of the centre [m]
+    Point velocity;        ///< [m/s]
+    Spin spin{};           ///< [rad/s]; carried along unchanged by laws that do not use it
+    double inertia = 0.4;  ///< k = I / (m r^2), in [1e-12, 1]: 2/5 for a sphere; with friction
     friend bool operator==(const Ball&, const Ball&) = default;
 };
 

@@ -65,9 +65,9 @@ private:
         return (slowing.k + S(2) * slowing.c * q) * (slowing.rate(q) * math::norm1<S>(velocity));
     }
     [[nodiscard]] bool too_slow(const S& q, const S& jerk) const {
+        if (S(0x1p-60) * jerk > S(0)) return false;
         const S of_square = slowing.c * q;
-        const bool matters = of_square >= math::epsilon<S>() * (slowing.k + slowing.m / q);
-        return matters && of_square > S(0) && !(S(0x1p-60) * jerk > S(0));
+        return of_square > S(0) && of_square >= math::epsilon<S>() * (slowing.k + slowing.m / q);
     }
 };
 
