@@ -2,6 +2,7 @@
 
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "osculo/simulate.hpp"
 
@@ -28,10 +29,34 @@ inline constexpr Precision kEveryPrecision[] = {Precision::double_precision, Pre
     return {std::move(id), {x, -9}, {x, 9}, Side::both};
 }
 
-/// Audited; contacts at one instant one after the other.
+/// A precision, and a law for contacts at one instant.
+struct Way {
+    Precision precision = Precision::double_precision;
+    Simultaneous law = Simultaneous::sequential;
+};
+
+[[nodiscard]] inline std::vector<Way> every_way() {
+    std::vector<Way> ways;
+    for (const Precision precision : kEveryPrecision) {
+        ways.push_back({precision, Simultaneous::sequential});
+        ways.push_back({precision, Simultaneous::symmetric});
+    }
+    return ways;
+}
+
+[[nodiscard]] inline std::string to_string(const Way& way) {
+    return std::string(osculo::to_string(way.precision)) +
+           (way.law == Simultaneous::sequential ? ", sequential" : ", symmetric");
+}
+
+/// Audited.
+[[nodiscard]] inline Run played(Scene scene, const Way& way) {
+    scene.impacts.simultaneous = way.law;
+    return simulate(scene, {.precision = way.precision, .audit = true});
+}
+/// Contacts at one instant one after the other.
 [[nodiscard]] inline Run played(Scene scene, Precision precision = Precision::double_precision) {
-    scene.impacts.simultaneous = Simultaneous::sequential;
-    return simulate(scene, {.precision = precision, .audit = true});
+    return played(std::move(scene), Way{precision});
 }
 
 }  // namespace osculo::support
