@@ -1,8 +1,11 @@
 #include "oracle.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdio>
 #include <cstdlib>
+#include <utility>
+#include <variant>
 
 #include "osculo/io.hpp"
 #include "osculo/simulate.hpp"
@@ -34,6 +37,37 @@ bool within_limit(const Run& run) {
                                        });
 }
 
+/// Whether nothing in it may take energy: contacts that are elastic, and no cluster that may be
+/// jammed between cushions, whose impact is not (README).
+bool elastic(const Run& run) {
+    const Scene& scene = run.scene;
+    const Impacts& law = scene.impacts;
+    if (!std::holds_alternative<UniformMotion>(scene.motion) || !scene.rims.empty()) return false;
+    if (law.ball_ball.law != BallBallLaw::restitution || law.ball_ball.restitution != 1 ||
+        law.ball_cushion.law != CushionLaw::restitution || law.ball_cushion.restitution != 1) {
+        return false;
+    }
+    return (scene.segments.empty() && scene.arcs.empty()) ||
+           std::ranges::all_of(run.events, &Event::well_posed);
+}
+
+/// To a billionth: 300 events of some hundred roundings each.
+bool keeps_energy(const Run& run) {
+    long double gain = 0;
+    long double before = 0;
+    for (std::size_t i = 0; i < run.balls.size(); ++i) {
+        const Point& was = run.scene.balls[i].velocity;
+        const Point& is = run.balls[i].state.velocity;
+        for (const auto& [v, w] : {std::pair{was.x, is.x}, std::pair{was.y, is.y}}) {
+            const long double a = v;
+            const long double b = w;
+            gain += run.scene.balls[i].mass * (b - a) * (b + a);
+            before += run.scene.balls[i].mass * a * a;
+        }
+    }
+    return std::abs(gain) <= 1e-9L * before;
+}
+
 }  // namespace
 
 void require(bool condition, const char* what, const Scene& scene) {
@@ -52,6 +86,9 @@ void check_run(Scene scene) {
     require(run.events.size() == run.event_count, "events are not all recorded", scene);
     if (run.status == Status::numeric) return;  // the numbers are said to mean nothing
     require(run.audit->clean, "the audit is not clean", scene);
+    if (run.status != Status::zeno && elastic(run)) {
+        require(keeps_energy(run), "energy is lost", scene);
+    }
 
     const std::string text = io::run_to_json(run);
     require(io::run_to_json(io::run_from_json(text)) == text, "a file does not give it back",
