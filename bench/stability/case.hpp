@@ -48,9 +48,9 @@ struct Case {
     double about = 100;             ///< events, roughly: what it costs
     bool audited = true;            ///< the audit must be clean; not for very many events
     bool full_only = false;         ///< takes long
-    /// What is apart by some ulp is at one instant, or jammed, under the symmetric law, more or
-    /// less of it by the precision: nothing to compare with.
-    bool sequential_only = false;
+    /// The law that it is for, if not both. What is apart by some ulp is at one instant, or jammed,
+    /// under the symmetric law, more or less of it by the precision: nothing to compare with.
+    std::optional<Simultaneous> only;
 };
 
 [[nodiscard]] inline Ball ball(std::string id, double mass, double radius, Point position,

@@ -79,7 +79,8 @@ Case beads(int count, double part) {
     c.scene.impacts.ball_ball.restitution = e;
     c.scene.impacts.ball_cushion.restitution = e;
     c.scene.impacts.rest_speed = 0;  // or whatever is slower than that would be together
-    c.sequential_only = part < 1;    // what has become too close is one cluster, which parts
+    if (part < 1)
+        c.only = Simultaneous::sequential;  // what has become too close is one cluster, which parts
     c.scene.segments = {{"wall", {101, 9}, {101, -9}, Side::both}};
     for (int k = 0; k < count; ++k) {
         c.scene.balls.push_back(ball(std::to_string(k), 1, 1, {2.5 * k, 0}, {1, 0}));
@@ -132,7 +133,7 @@ Case three(bool wall, double part) {
     c.scene.impacts.ball_ball.restitution = e;
     c.scene.impacts.ball_cushion.restitution = e;
     c.scene.impacts.rest_speed = 0;
-    c.sequential_only = part < 1;
+    if (part < 1) c.only = Simultaneous::sequential;
     c.scene.balls = {ball("0", 1, 1, {-2, 0}, {1 + v1, 0}), ball("1", 1, 1, {0, 0}, {v1, 0})};
     if (wall) {
         c.scene.segments = {{"wall", {1.5, 9}, {1.5, -9}, Side::both}};

@@ -110,7 +110,7 @@ Case corridor(double room, double bounces, const std::string& name) {
     const bool at_floor = std::fmod(bounces, 2.0) > 0;
     c.expected = {{(bounces - 1) * passage, at_floor ? 1 : 1 + passage, 1, at_floor ? 1. : -1.}};
     c.about = bounces;
-    c.sequential_only = room < 1e-13;
+    if (room < 1e-13) c.only = Simultaneous::sequential;
     return c;
 }
 

@@ -156,6 +156,11 @@ void add_impacts(Catalogue& all) {
     trapped.scene.limits = {1e3, 1000};
     trapped.statuses = {Status::event_limit};
     trapped.read = read_speeds;
+    // 500 times each: turned by 2 theta each time, in the metric of the masses.
+    const long double theta = std::atan(std::sqrt(1e-15L));
+    trapped.expected = {{static_cast<double>(std::sin(1000 * theta) / std::tan(theta)),
+                         static_cast<double>(-std::cos(1000 * theta))}};
+    trapped.may_lose = 2.5;
     trapped.scale = 0;
     trapped.about = 1000;
     all.push_back(trapped);

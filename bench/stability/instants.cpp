@@ -24,7 +24,7 @@ Case nearly_both(bool upper_first, double offset, const std::string& by) {
     c.expected = {upper_first ? Values{-0.125, -r3 / 8, 0.75, r3 / 4, 0.375, -r3 / 8}
                               : Values{-0.125, r3 / 8, 0.375, r3 / 8, 0.75, -r3 / 4}};
     c.enough = offset > 1e-15 ? 11 : 16;  // who is later by 1e-12 m goes elsewhere by as much
-    c.sequential_only = offset <= 1e-15;
+    if (offset <= 1e-15) c.only = Simultaneous::sequential;
     return c;
 }
 

@@ -114,7 +114,7 @@ int main(int argc, char** argv) {
                             c.family.find(settings.part) != std::string::npos;
         if (!wanted) continue;
         for (std::size_t law = 0; law < std::size(kLaws); ++law) {
-            if (c.sequential_only && kLaws[law].law != Simultaneous::sequential) continue;
+            if (c.only && kLaws[law].law != *c.only) continue;
             results.push_back(run_case(c, law, settings, tally));
         }
     }

@@ -34,7 +34,7 @@ Case row(Dice& dice) {
         const double r = dice.magnitude(-3, 3);
         if (k > 0) {
             const double gap = k == 1 ? 1 : dice.magnitude(-12, 0);
-            c.sequential_only = c.sequential_only || gap < 1e-13 * (x + r);
+            if (gap < 1e-13 * (x + r)) c.only = Simultaneous::sequential;
             x += r + gap;
         }
         c.scene.balls.push_back(ball(std::to_string(k), dice.magnitude(-3, 3), r, {x, 0}));
@@ -71,7 +71,7 @@ Case nearly_both(Dice& dice) {
     Case c;
     c.stiff = "one ball on two, contacts 1e-14 .. 1e-6 s apart, any restitution";
     const double later = dice.magnitude(-14, -6);
-    c.sequential_only = later < 1e-12;
+    if (later < 1e-12) c.only = Simultaneous::sequential;
     c.scene.balls = {ball("cue", 1, 1, {-5, 0}, {1, 0}),
                      ball("upper", dice.magnitude(-1, 1), 1, {0, 1}),
                      ball("lower", dice.magnitude(-1, 1), 1, {0, -1})};

@@ -43,6 +43,27 @@ Case galperin(int hundreds) {
     return c;
 }
 
+/// The same in one instant: the light ball touches the wall.
+Case galperin_at_once(int hundreds) {
+    Case c = galperin(hundreds);
+    c.name = "pi at one instant, mass ratio 1e" + std::to_string(2 * hundreds);
+    c.stiff = "more blows in one instant than can be made one by one";
+    c.scene.balls[0].position.x = 0.5;
+    c.scene.limits = {10, 1000};
+    const auto read = c.read;
+    c.read = [read](const Run& run) {
+        const Values values = read(run);
+        return Values{values[1], values[2]};
+    };
+    c.expected[0].erase(c.expected[0].begin());
+    c.about = 2;
+    c.may_lose = 1 + hundreds;
+    c.audited = true;
+    c.full_only = false;
+    c.only = Simultaneous::symmetric;
+    return c;
+}
+
 /// A ball that comes in along one of two walls which meet at [angle].
 Case wedge(double angle, const std::string& name) {
     const auto count = std::ceil(kPi / static_cast<long double>(angle)) - 1;
@@ -105,6 +126,7 @@ Case both_walls(double tilt, double e, const std::string& name) {
 
 void add_wedges(Catalogue& all) {
     for (int hundreds = 0; hundreds <= 7; ++hundreds) all.push_back(galperin(hundreds));
+    for (const int hundreds : {2, 4, 6, 7, 9}) all.push_back(galperin_at_once(hundreds));
     for (int k = 1; k <= 4; ++k) {
         all.push_back(wedge(std::pow(10.0, -k), "1e-" + std::to_string(k) + " rad"));
     }
