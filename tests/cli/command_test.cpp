@@ -141,6 +141,24 @@ TEST(Run, CertifiesWhatCanBeTrusted) {
     EXPECT_TRUE(contains(highest.err, "must be below 100 digits")) << highest.err;
 }
 
+// A break with cloth, spin and rails, and as many contacts as pi has digits.
+TEST(Run, CertifiesShotsToTheirEnd) {
+    for (const char* scene : {"preset:break", "preset:pi"}) {
+        const Result result = osculo({"run", scene, "--certify", "-o", "-"});
+        ASSERT_EQ(result.code, 0) << scene << result.err;
+        const osculo::Run run = io::run_from_json(result.out);
+        ASSERT_TRUE(run.certificate.has_value());
+        EXPECT_TRUE(run.certificate->certain() && run.certificate->conclusive) << scene;
+        EXPECT_EQ(run.certificate->events.size(), run.event_count);
+        if (std::string(scene) == "preset:pi") {
+            EXPECT_EQ(run.event_count, 314U);
+        }
+        for (const auto& ball : run.certificate->balls) {
+            EXPECT_GT(std::min(ball.position, ball.velocity), 10) << scene;
+        }
+    }
+}
+
 TEST(Run, ExitCodeSaysHowItEnded) {
     EXPECT_EQ(osculo({"run", "preset:gas", "--time", "0.01"}).code, 0);
     const Result early = osculo({"run", "preset:gas", "--events", "10"});
