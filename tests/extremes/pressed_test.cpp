@@ -134,6 +134,23 @@ Run follow_through(double e, Simultaneous law) {
     return settled(scene);
 }
 
+/// How far three balls go that stay together: the cue ball comes rolling at 2 m/s from 0.3 m away
+/// and goes on slipping forwards. In units of x = mu g t and with V a third of its speed:
+/// - All slip, the two others backwards: a = -1/3 mu g, until these roll, V - x / 3 = 5 x / 2.
+/// - These roll, 7/5 as inert and each with 7/5 m mu_r g against it, until the cue ball rolls, too.
+/// - All roll to rest.
+/// Their hops are slips, too, in which mu_r does not act: a tenth of the second part of the way.
+double way_of_three_together() {
+    const double speed = std::sqrt(4 - 2 * kDeceleration * (0.3 - 2 * kPoolRadius));
+    const double first = speed / 3 / (2.5 + 1.0 / 3);
+    const double slow = speed / 3 - first / 3;
+    const double rate = (1 - 2 * 1.4 * kDeceleration / kSliding) / 3.8;
+    const double second = (speed - 2.5 * first - slow) / (2.5 + rate);
+    const double fast = slow + rate * second;
+    return (first * (speed / 3 + slow) / 2 + second * (slow + fast) / 2) / kSliding +
+           fast * fast / (2 * kDeceleration);
+}
+
 TEST(Pressed, FollowThroughBehindFrozenBalls) {
     for (const Simultaneous law : kLaws) {
         for (const double e : kRestitutions) {
@@ -155,6 +172,8 @@ TEST(Pressed, FollowThroughBehindFrozenBalls) {
             EXPECT_NEAR(little.balls[k].state.position.x, none.balls[k].state.position.x,
                         0.01 * none.balls[k].state.position.x)
                 << named(0, law) << ", ball " << k;
+            const double from = 2 * kPoolRadius * (static_cast<double>(k) - 1);
+            EXPECT_NEAR(none.balls[k].state.position.x - from, way_of_three_together(), 0.012);
         }
     }
 }
