@@ -115,7 +115,8 @@ double median(std::vector<double> values) {
     return *middle;
 }
 
-/// Slope of the straight line through the logarithms of what is above the floor: digits per event.
+/// Slope of the straight line through the logarithms of what is well above the floor: digits per
+/// event. NaN if that is too little.
 double slope(const std::vector<double>& errors) {
     double n = 0, x = 0, y = 0, xx = 0, xy = 0;
     for (std::size_t k = 0; k < errors.size(); ++k) {
@@ -124,7 +125,7 @@ double slope(const std::vector<double>& errors) {
         const double digits = std::log10(errors[k]);
         n += 1, x += event, y += digits, xx += event * event, xy += event * digits;
     }
-    return n < 20 ? NAN : (n * xy - x * y) / (n * xx - x * x);
+    return n < 20 || errors.back() < 1e5 * kFloor ? NAN : (n * xy - x * y) / (n * xx - x * x);
 }
 
 /// Median errors by event, as long as half of the variants are right.
@@ -145,9 +146,15 @@ void report(std::FILE* file, const Workload& workload, Precision precision,
                          at.size());
         }
     }
-    std::printf("%-24s %-9s %4zu events, error %.0e radii, %.3f digits lost per event\n",
-                workload.name, std::string(to_string(precision)).c_str(), medians.size(),
-                medians.empty() ? 0 : medians.back(), slope(medians));
+    std::printf("%-24s %-9s %4zu events, error %.0e radii, ", workload.name,
+                std::string(to_string(precision)).c_str(), medians.size(),
+                medians.empty() ? 0 : medians.back());
+    const double lost = slope(medians);
+    if (std::isnan(lost)) {
+        std::puts("too near the last digit written to tell more");
+    } else {
+        std::printf("%.3f digits lost per event\n", lost);
+    }
     std::fflush(stdout);
 }
 
@@ -174,7 +181,6 @@ int main(int argc, char** argv) {
         const int variants = quick ? 3 : workload.variants;
         for (int seed = 1; seed <= variants; ++seed) {
             Scene scene = workload.make(static_cast<std::uint64_t>(seed));
-            scene.impacts.simultaneous = kLaws[0].law;
             scene.limits.events = quick ? 100 : workload.events;
             const Run reference = simulate(scene, {.precision = Precision::digits100});
             for (const Precision precision : kPrecisions) {

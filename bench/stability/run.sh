@@ -4,7 +4,7 @@
 #
 #     bench/stability/run.sh [--quick] [--seed N] [--count M] [BUILD_DIRECTORY]
 #                                                                  default: build/stability
-# Some ten minutes after building, which takes as long again; --quick: a minute, written to the build
+# Some twenty minutes after building, which takes half as long; --quick: a minute, written to the build
 # directory instead. Exits with 1 if anything is wrong.
 set -euo pipefail
 here="$(cd "$(dirname "$0")" && pwd)"
