@@ -190,8 +190,8 @@ enum class Simultaneous {
 struct Impacts {
     BallBallImpact ball_ball;
     CushionImpact ball_cushion;
-    /// Things that are pressed together meet at most once in this time [s], >= 0; not for uniform
-    /// motion (osculo/impact/pressing.hpp says why).
+    /// Two things that are pressed together meet at most once in this time [s], >= 0, those in a
+    /// row a few times; not for uniform motion (osculo/impact/pressing.hpp says why).
     double contact_time = 1e-4;
     Simultaneous simultaneous = Simultaneous::symmetric;
     /// Contacts that close more slowly than this do not bounce unless they are elastic [m/s], >= 0;

@@ -173,8 +173,7 @@ std::optional<bool> Engine<Type>::resolve_cluster(const Contact& cause) {
     if (impacts == 0) return std::nullopt;
     if (settling) cluster_.settled += impacts;
     // Where rounding leaves a pair approaching, what follows would go through things.
-    const bool sound = outcome.no_approach && outcome.status <= impact::ClusterStatus::jammed &&
-                       cause_explained(cause);
+    const bool sound = outcome.resolved() && cause_explained(cause);
     cluster_.endless = outcome.status == impact::ClusterStatus::capped;
 
     for (std::size_t m = 0; m < cluster_.members.size(); ++m) {

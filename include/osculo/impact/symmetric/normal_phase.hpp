@@ -26,6 +26,12 @@ struct ClusterOutcome {
     bool well_posed = true;        ///< false: another law or order gives another outcome
     bool no_approach = true;       ///< false: rounding leaves some pair approaching
     bool friction_settled = true;  ///< false: friction was ended before its last digits
+
+    /// Whether the velocities are those of the law.
+    [[nodiscard]] bool resolved() const {
+        return no_approach &&
+               (status == ClusterStatus::separated || status == ClusterStatus::jammed);
+    }
 };
 
 namespace symmetric {

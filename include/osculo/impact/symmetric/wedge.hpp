@@ -79,6 +79,7 @@ public:
     }
 
 private:
+    /// More than angles have in any type: 2^-400 is 1e-120.
     static constexpr std::size_t kMostBits = 400;
 
     struct Turn {
