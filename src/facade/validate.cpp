@@ -154,7 +154,14 @@ void validate_pulling_rim(const Scene& scene, std::size_t k) {
     }
 }
 
+/// A segment ends where its length in double says, epsilon of that beside its end point: a ball
+/// that meets it there has (epsilon length)^2 / (2 radius) too much or too little between them,
+/// which is rounding of the radius up to lengths of (2 / epsilon)^(1/2) radii, 0.95e8.
+constexpr double kMostRadii = 1e8;
+
 void validate_obstacles(const Scene& scene, Ids& ids) {
+    double smallest = kLargest;
+    for (const Ball& ball : scene.balls) smallest = std::min(smallest, ball.radius);
     for (std::size_t k = 0; k < scene.segments.size(); ++k) {
         const Segment& s = scene.segments[k];
         ids.add(s.id, "segments", k);
@@ -163,6 +170,11 @@ void validate_obstacles(const Scene& scene, Ids& ids) {
         const double length = std::hypot(s.to.x - s.from.x, s.to.y - s.from.y);
         if (!(length >= 1 / kLargest)) {
             throw SceneError(at("segments", k, ".to"), "must differ from `from`", text(s.to));
+        }
+        if (!(length / smallest <= kMostRadii)) {
+            throw SceneError(at("segments", k, ".to"),
+                             "must be at most 1e8 times the smallest ball's radius from `from`",
+                             text(s.to));
         }
     }
     for (std::size_t k = 0; k < scene.arcs.size(); ++k) {

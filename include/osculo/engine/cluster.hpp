@@ -174,7 +174,7 @@ std::optional<bool> Engine<Type>::resolve_cluster(const Contact& cause) {
     if (settling) cluster_.settled += impacts;
     // Where rounding leaves a pair approaching, what follows would go through things.
     const bool sound = outcome.resolved() && cause_explained(cause);
-    cluster_.endless = outcome.status == impact::ClusterStatus::capped;
+    cluster_.endless = outcome.no_approach && outcome.status == impact::ClusterStatus::capped;
 
     for (std::size_t m = 0; m < cluster_.members.size(); ++m) {
         auto& member = cluster_.members[m];
