@@ -154,10 +154,10 @@ void validate_pulling_rim(const Scene& scene, std::size_t k) {
     }
 }
 
-/// A segment ends where its length in double says, epsilon of that beside its end point: a ball
-/// that meets it there has (epsilon length)^2 / (2 radius) too much or too little between them,
-/// which is rounding of the radius up to lengths of (2 / epsilon)^(1/2) radii, 0.95e8.
-constexpr double kMostRadii = 1e8;
+/// A segment ends where its length in double says, up to epsilon of that beside its end point: at
+/// 1e12 radii 2e-4 of them, and what a ball there has too much or too little between them is half
+/// the square of that. At 1e16 it would hit what is not there, or go through.
+constexpr double kMostRadii = 1e12;
 
 void validate_obstacles(const Scene& scene, Ids& ids) {
     double smallest = kLargest;
@@ -173,7 +173,7 @@ void validate_obstacles(const Scene& scene, Ids& ids) {
         }
         if (!(length / smallest <= kMostRadii)) {
             throw SceneError(at("segments", k, ".to"),
-                             "must be at most 1e8 times the smallest ball's radius from `from`",
+                             "must be at most 1e12 times the smallest ball's radius from `from`",
                              text(s.to));
         }
     }

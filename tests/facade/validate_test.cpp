@@ -127,9 +127,9 @@ TEST(Validate, NamesFieldRuleAndValue) {
              s.balls[0].spin = {1e145, 0, 0};
          }},
         {"segments[1].to", "differ", [](Scene& s) { s.segments[1].to = s.segments[1].from; }},
-        {"segments[1].to", "1e8 times the smallest ball's radius",
+        {"segments[1].to", "1e12 times the smallest ball's radius",
          [](Scene& s) {
-             s.segments[1].to = {s.segments[1].from.x, 1e9};
+             s.segments[1].to = {s.segments[1].from.x, 1e13};
          }},
         {"segments[1].from", "at most", [](Scene& s) { s.segments[1].from.x = -kInfinity; }},
         {"arcs[0].radius", "> 0", [](Scene& s) { s.arcs[0].radius = -2; }},
