@@ -11,6 +11,18 @@
 /// Random clusters of touching balls and walls.
 namespace osculo::support {
 
+/// Twice the energy, in exact enough arithmetic.
+template <class R, math::Scalar S>
+[[nodiscard]] R energy(const impact::Cluster<S>& cluster) {
+    R sum(0);
+    for (const auto& ball : cluster.balls) {
+        const R x = exact<R>(ball.velocity.x());
+        const R y = exact<R>(ball.velocity.y());
+        sum += exact<R>(ball.mass) * (x * x + y * y);
+    }
+    return sum;
+}
+
 enum class Masses { equal, similar, extreme };
 
 template <math::Scalar S>

@@ -23,18 +23,6 @@ inline constexpr int kCases = std::is_same_v<S, double> ? 100000
 /// masses' ratio.
 constexpr int kCap = 1000;
 
-/// In exact enough arithmetic.
-template <class R, math::Scalar S>
-R energy(const impact::Cluster<S>& cluster) {
-    R sum(0);
-    for (const auto& ball : cluster.balls) {
-        const R x = exact<R>(ball.velocity.x());
-        const R y = exact<R>(ball.velocity.y());
-        sum += exact<R>(ball.mass) * (x * x + y * y);
-    }
-    return sum;
-}
-
 template <class S>
 class RandomClusters : public testing::Test {};
 using Tested = testing::Types<float, double, long double, math::Quad>;

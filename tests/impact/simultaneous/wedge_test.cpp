@@ -20,17 +20,6 @@ class WedgeOf : public testing::Test {};
 using Tested = testing::Types<double, long double, math::Quad, Digits50>;
 TYPED_TEST_SUITE(WedgeOf, Tested, ScalarName);
 
-template <math::Scalar S>
-Digits100 energy(const impact::Cluster<S>& cluster) {
-    Digits100 sum(0);
-    for (const auto& ball : cluster.balls) {
-        const auto x = exact<Digits100>(ball.velocity.x());
-        const auto y = exact<Digits100>(ball.velocity.y());
-        sum += exact<Digits100>(ball.mass) * (x * x + y * y);
-    }
-    return sum;
-}
-
 /// The sums are those of one reflection after the other, to as many as there can be.
 TEST(Wedge, SumsAreThoseOfTheRecursion) {
     using R = math::Quad;
@@ -137,8 +126,9 @@ TYPED_TEST(WedgeOf, KeepsEnergyAndMomentum) {
         ASSERT_EQ(outcome.status, ClusterStatus::separated) << i;
         ASSERT_TRUE(outcome.no_approach) << i;
         const auto eps = exact<Digits100>(math::epsilon<S>());
-        const Digits100 start = energy<S>(before);
-        energies = std::max(energies, double(abs(energy<S>(stage.cluster) - start) / start / eps));
+        const Digits100 start = energy<Digits100, S>(before);
+        energies = std::max(energies,
+                            double(abs(energy<Digits100, S>(stage.cluster) - start) / start / eps));
         if (wall) continue;
         Digits100 sum(0), size(0);
         for (std::size_t b = 0; b < 3; ++b) {
