@@ -5,6 +5,7 @@
 #include <limits>
 #include <variant>
 
+#include "smallest_radius.hpp"
 #include "text.hpp"
 
 namespace osculo::facade {
@@ -72,8 +73,7 @@ void validate_forces(const Scene& scene) {
                          "times gravity)",
                          concatenated(number_text(force < kLeast ? force : most), " m/s^2"));
     }
-    double smallest = std::numeric_limits<double>::infinity();
-    for (const Ball& ball : scene.balls) smallest = std::min(smallest, ball.radius);
+    const double smallest = smallest_radius(scene);
     // Division by division: neither the square nor the product may leave the range.
     if (force / speed * (smallest / speed) >= kWeakest) return;
     throw SceneError("motion",

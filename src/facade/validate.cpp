@@ -10,6 +10,7 @@
 #include "osculo/scene.hpp"
 #include "outline.hpp"
 #include "overlap.hpp"
+#include "smallest_radius.hpp"
 #include "start.hpp"
 #include "text.hpp"
 
@@ -160,8 +161,7 @@ void validate_pulling_rim(const Scene& scene, std::size_t k) {
 constexpr double kMostRadii = 1e12;
 
 void validate_obstacles(const Scene& scene, Ids& ids) {
-    double smallest = kLargest;
-    for (const Ball& ball : scene.balls) smallest = std::min(smallest, ball.radius);
+    const double smallest = facade::smallest_radius(scene);
     for (std::size_t k = 0; k < scene.segments.size(); ++k) {
         const Segment& s = scene.segments[k];
         ids.add(s.id, "segments", k);
@@ -438,8 +438,7 @@ void validate_places(const Scene& scene) {
 
 void validate_closed(const Scene& scene) {
     if (!scene.closed || scene.balls.empty()) return;
-    double smallest = scene.balls.front().radius;
-    for (const Ball& ball : scene.balls) smallest = std::min(smallest, ball.radius);
+    const double smallest = facade::smallest_radius(scene);
     facade::Outline outline(scene, smallest);
     for (std::size_t i = 0; i < scene.balls.size(); ++i) {
         if (!outline.encloses(scene.balls[i].position)) {

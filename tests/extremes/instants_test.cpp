@@ -116,7 +116,7 @@ TEST(Instants, EqualInDisjointPlaces) {
         scene.balls.push_back(disk("right-" + std::to_string(k), {3, y}, {-1, 0}));
     }
     scene.limits.time = 5;
-    for (const Simultaneous law : {Simultaneous::sequential, Simultaneous::symmetric}) {
+    for (const Simultaneous law : kEveryLaw) {
         const auto run = played(scene, Way{Precision::double_precision, law});
         OSCULO_EXPECT_ENDED(run, time_limit);
         ASSERT_EQ(run.events.size(), 200U);

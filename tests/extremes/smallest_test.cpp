@@ -61,7 +61,7 @@ void expect_right(const Scene& scene, double speed, const std::string& where) {
 TEST(Smallest, SpeedsAreRightOrSaidToBeTooSmall) {
     for (const auto& [law_name, law] : kLaws) {
         for (const double e : {1.0, 0.5, 0.0}) {
-            for (const auto simultaneous : {Simultaneous::symmetric, Simultaneous::sequential}) {
+            for (const Simultaneous simultaneous : kEveryLaw) {
                 for (const double v : kSpeeds) {
                     for (const Setting& setting : settings(v)) {
                         Scene scene;
@@ -73,12 +73,11 @@ TEST(Smallest, SpeedsAreRightOrSaidToBeTooSmall) {
                         scene.balls = {disk("a", {0, 0}, {v, setting.wall ? -0.3 * v : 0})};
                         std::ranges::copy(setting.others, std::back_inserter(scene.balls));
                         if (setting.wall) scene.segments = {wall_at(1)};
-                        expect_right(
-                            scene, v,
-                            std::string(law_name) + ", " + setting.name + ", e = " +
-                                std::to_string(e) + ", v = " + std::to_string(std::log10(v)) +
-                                (simultaneous == Simultaneous::symmetric ? ", symmetric"
-                                                                         : ", sequential"));
+                        expect_right(scene, v,
+                                     std::string(law_name) + ", " + setting.name +
+                                         ", e = " + std::to_string(e) +
+                                         ", v = " + std::to_string(std::log10(v)) + ", " +
+                                         name_of(simultaneous));
                     }
                 }
             }
@@ -151,7 +150,7 @@ TEST(Smallest, SpeedsOfBallsThatTurnFast) {
                    disk("last", {4, 0})};
     scene.balls[0].spin = {0, 0, 1e150};
     scene.limits.time = 10;
-    for (const auto simultaneous : {Simultaneous::symmetric, Simultaneous::sequential}) {
+    for (const Simultaneous simultaneous : kEveryLaw) {
         scene.impacts.simultaneous = simultaneous;
         const auto run = simulate(scene, {.audit = true});
         OSCULO_EXPECT_ENDED(run, time_limit);

@@ -29,6 +29,13 @@ inline constexpr Precision kEveryPrecision[] = {Precision::double_precision, Pre
     return {std::move(id), {x, -9}, {x, 9}, Side::both};
 }
 
+/// For contacts at one instant.
+inline constexpr Simultaneous kEveryLaw[] = {Simultaneous::sequential, Simultaneous::symmetric};
+
+[[nodiscard]] inline std::string name_of(Simultaneous law) {
+    return law == Simultaneous::sequential ? "sequential" : "symmetric";
+}
+
 /// A precision, and a law for contacts at one instant.
 struct Way {
     Precision precision = Precision::double_precision;
@@ -38,15 +45,13 @@ struct Way {
 [[nodiscard]] inline std::vector<Way> every_way() {
     std::vector<Way> ways;
     for (const Precision precision : kEveryPrecision) {
-        ways.push_back({precision, Simultaneous::sequential});
-        ways.push_back({precision, Simultaneous::symmetric});
+        for (const Simultaneous law : kEveryLaw) ways.push_back({precision, law});
     }
     return ways;
 }
 
 [[nodiscard]] inline std::string to_string(const Way& way) {
-    return std::string(osculo::to_string(way.precision)) +
-           (way.law == Simultaneous::sequential ? ", sequential" : ", symmetric");
+    return std::string(osculo::to_string(way.precision)) + ", " + name_of(way.law);
 }
 
 /// Audited.
